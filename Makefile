@@ -1,0 +1,79 @@
+# make study   set everything up and write the study, in English and Spanish, into study/en and study/es
+# make test    set everything up and run every test
+# make lint    formatters, linters, types, imports
+# make bench   the benchmarks, beside their peers
+# make lock    renew the locks from pyproject.toml
+.DEFAULT_GOAL := help
+.PHONY: help study test test-python test-core lint format bench stubs lock clean
+.DELETE_ON_ERROR:
+SHELL := /bin/sh
+PYTHON ?= python3
+UV := UV_PYTHON_DOWNLOADS=never UV_COMPILE_BYTECODE=1 VIRTUAL_ENV=$(CURDIR)/.venv .tools/bin/uv
+BIN := $(CURDIR)/.venv/bin
+CORES := $(shell getconf _NPROCESSORS_ONLN 2>/dev/null || echo 1)
+COMPILED := $(shell find core/include bindings/python -type f) CMakeLists.txt
+SOURCES := $(shell find core bindings benchmarks -name '*.hpp' -o -name '*.cpp')
+
+help:
+	@sed -n 's/^# \(make .*\)/\1/p' Makefile
+
+# ---- set-up: uv in .tools, everything else in .venv, from the lock ----
+.tools/bin/uv:
+	@sh scripts/check-machine $(PYTHON)
+	$(PYTHON) -m venv .tools
+	.tools/bin/pip install -q --disable-pip-version-check uv==0.13.9
+
+.venv/packages: requirements.lock .tools/bin/uv
+	$(UV) venv -q --allow-existing --python "$$(command -v $(PYTHON))" .venv
+	$(UV) pip sync -q --require-hashes requirements.lock
+	@touch $@
+
+.venv/installed: .venv/packages pyproject.toml $(COMPILED)
+	PATH="$(BIN):$$PATH" CMAKE_BUILD_PARALLEL_LEVEL=$(CORES) $(UV) pip install -q --no-build-isolation --no-deps -e .
+	@touch $@
+
+.venv/bench: requirements-bench.lock .venv/installed
+	$(UV) pip install -q --require-hashes --no-deps -r requirements-bench.lock
+	@touch $@
+
+# ---- the study ----
+study: .venv/installed
+	@$(BIN)/pendula study --lang en --out study/en --force
+	@$(BIN)/pendula study --lang es --out study/es --force
+
+# ---- tests: the core on each instruction set and under the sanitizers, then the package ----
+test: test-core test-python
+
+test-core: .venv/installed
+	@sh scripts/test-core $(BIN) $(CORES)
+
+test-python: .venv/installed
+	$(BIN)/pytest -n $(CORES)
+
+lint: .venv/installed
+	$(BIN)/ruff check .
+	$(BIN)/ruff format --check .
+	$(BIN)/clang-format --dry-run -Werror $(SOURCES)
+	$(BIN)/mypy
+	$(BIN)/lint-imports
+	$(BIN)/python scripts/check_size.py
+
+format: .venv/installed
+	$(BIN)/ruff format .
+	$(BIN)/ruff check --fix-only .
+	$(BIN)/clang-format -i $(SOURCES)
+
+stubs: .venv/installed
+	$(BIN)/python -m nanobind.stubgen -q -m pendula._core -o src/pendula/_core.pyi
+
+bench: .venv/bench
+	$(BIN)/python -m benchmarks
+
+lock: .tools/bin/uv
+	$(UV) pip compile -q --upgrade --universal --generate-hashes --no-emit-index-url --no-header --python-version 3.11 \
+	  --extra io --extra report --group build --group dev pyproject.toml -o requirements.lock
+	$(UV) pip compile -q --upgrade --universal --generate-hashes --no-emit-index-url --no-header --python-version 3.11 \
+	  --group bench -c requirements.lock pyproject.toml -o requirements-bench.lock
+
+clean:
+	rm -rf .venv .tools build study dist src/pendula/*.so

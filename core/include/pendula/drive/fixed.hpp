@@ -1,0 +1,178 @@
+// The fixed-step drive: a grid t0 + n h, outputs on it or one shortened step off it.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+#include <vector>
+
+#include "pendula/drive/outcome.hpp"
+#include "pendula/scalar/pack.hpp"
+
+namespace pendula {
+
+// An output is the state after `steps` whole steps from t0 and, where `rest` is not 0, one step of that length.
+struct fixed_output {
+  std::int64_t steps;
+  double rest;
+};
+
+inline constexpr double on_grid = 1e-9;      // of a step: nearer outputs are taken to lie on the grid
+inline constexpr double most_steps = 0x1p53;  // whole numbers are exact up to here
+
+// Where time t lies on the grid of steps h (negative: backward) from t0. |t − t0| / |h| must not pass most_steps.
+inline fixed_output place_on_grid(double t, double t0, double h) {
+  const double position = (t - t0) / h, nearest = std::nearbyint(position);
+  if (std::fabs(position - nearest) <= on_grid) return {static_cast<std::int64_t>(nearest), 0.0};
+  const double whole = std::floor(position);
+  return {static_cast<std::int64_t>(whole), (t - t0) - whole * h};
+}
+
+struct fixed_plan {
+  std::vector<double> times;
+  std::vector<fixed_output> outputs;
+};
+
+// Outputs at the times asked for, which follow one another in the direction of the step.
+inline fixed_plan requested_times(double t0, double step, std::span<const double> times) {
+  fixed_plan plan{{times.begin(), times.end()}, {}};
+  plan.outputs.reserve(times.size());
+  for (double t : times) plan.outputs.push_back(place_on_grid(t, t0, step));
+  return plan;
+}
+
+// Outputs at the method's own steps from t0 to `end`, the last of them shortened where the grid misses it.
+inline fixed_plan own_steps(double t0, double step, double end) {
+  const fixed_output last = place_on_grid(end, t0, step);
+  fixed_plan plan;
+  for (std::int64_t n = 0; n <= last.steps; ++n) {
+    plan.times.push_back(t0 + static_cast<double>(n) * step);
+    plan.outputs.push_back({n, 0.0});
+  }
+  if (last.rest != 0.0) {
+    plan.times.push_back(end);
+    plan.outputs.push_back(last);
+  }
+  plan.times.back() = end;
+  return plan;
+}
+
+// Per lane: how it ended, how many outputs are its own, and the steps it took, whole and shortened.
+struct lane_result {
+  outcome ended = outcome::reached_end;
+  std::size_t outputs = 0;
+  std::int64_t steps = 0;
+};
+
+template <class Method, SystemOver Sys>
+class fixed_run {
+ public:
+  using S = typename Sys::scalar;
+  using state = typename Sys::state;
+  static constexpr int width = lanes<S>::count;
+  using results = std::array<lane_result, width>;
+
+  fixed_run(const Sys& system, const state& start, double step, std::int64_t step_limit)
+      : system_(system), y_(start), step_(step), step_limit_(step_limit) {}
+
+  // Runs through `outputs` (their steps do not decrease) and hands each state to sink(index, state); a lane that
+  // has ended hands on NaN. go_on() is asked every 2^14 steps; false ends the run as interrupted.
+  template <class Sink, class Poll>
+  results through(std::span<const fixed_output> outputs, Sink&& sink, Poll&& go_on) {
+    end_lanes_not_finite(y_);
+    for (std::size_t i = 0; i < outputs.size() && running_ > 0; ++i) {
+      if (!advance(outputs[i].steps, go_on)) break;
+      state y = y_;
+      if (outputs[i].rest != 0.0) {
+        if (steps_ + shortened_ == step_limit_) {
+          end_all(outcome::step_limit);
+          break;
+        }
+        y = Method::step(system_, y_, S(outputs[i].rest));
+        ++shortened_;
+        end_lanes_not_finite(y);
+      }
+      deliver(i, y, sink);
+    }
+    end_all(outcome::reached_end);
+    return results_;
+  }
+
+ private:
+  static constexpr std::int64_t between_polls = std::int64_t{1} << 14;
+
+  // False where every lane has ended on the way.
+  template <class Poll>
+  bool advance(std::int64_t target, Poll&& go_on) {
+    while (steps_ < target) {
+      const std::int64_t due = steps_ - steps_ % between_polls + between_polls;
+      const std::int64_t until = std::min({target, step_limit_ - shortened_, due});
+      if (until == steps_) {
+        end_all(outcome::step_limit);
+      } else {
+        step_until(until);
+        if (steps_ == due && !go_on()) end_all(outcome::interrupted);
+      }
+      if (running_ == 0) return false;
+    }
+    return true;
+  }
+
+  // The loop all the time is spent in. It stops early only where no lane is left.
+  void step_until(std::int64_t until) {
+    const S h(step_);
+    while (steps_ < until && running_ > 0) {
+      state y = y_;
+      std::int64_t n = steps_;
+      do {
+        y = Method::step(system_, y, h);
+        ++n;
+      } while (all_lanes(finite<S>(y)) && n < until);
+      y_ = y;
+      steps_ = n;
+      end_lanes_not_finite(y_);
+    }
+  }
+
+  void end_lanes_not_finite(const state& y) {
+    const auto well = finite<S>(y);
+    for (int i = 0; i < width; ++i)
+      if (!lane_of(well, i)) end_lane(i, outcome::not_finite);
+  }
+
+  // The lane is laid to rest at the lowest point, where it stays and disturbs nobody.
+  void end_lane(int i, outcome how) {
+    if (ended_[i]) return;
+    ended_[i] = true;
+    --running_;
+    results_[i].ended = how;
+    results_[i].steps = steps_ + shortened_;
+    for (S& component : y_) set_lane(component, i, 0.0);
+  }
+
+  void end_all(outcome how) {
+    for (int i = 0; i < width; ++i) end_lane(i, how);
+  }
+
+  template <class Sink>
+  void deliver(std::size_t index, state y, Sink&& sink) {
+    for (int i = 0; i < width; ++i) {
+      if (ended_[i]) {
+        for (S& component : y) set_lane(component, i, __builtin_nan(""));
+      } else {
+        results_[i].outputs = index + 1;
+      }
+    }
+    if (running_ > 0) sink(index, y);
+  }
+
+  const Sys& system_;
+  state y_;
+  double step_;
+  std::int64_t step_limit_, steps_ = 0, shortened_ = 0;
+  int running_ = width;
+  std::array<bool, width> ended_{};
+  results results_{};
+};
+
+}  // namespace pendula

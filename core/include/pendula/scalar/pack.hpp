@@ -1,0 +1,103 @@
+// pack<T, W>: W numbers that move in lock step through one instruction stream. Every operation is the
+// elementwise IEEE operation, so a lane carries the same bits as the scalar run.
+#pragma once
+
+#include <bit>
+#include <cstdint>
+#include <limits>
+
+#include "pendula/concepts.hpp"
+
+namespace pendula {
+
+namespace detail {
+template <class T, int W>
+struct vector_extension {
+  typedef T type __attribute__((vector_size(W * sizeof(T))));
+};
+}  // namespace detail
+
+template <class T, int W>
+struct pack {
+  static_assert(W > 1 && (W & (W - 1)) == 0, "one lane is the plain scalar; more come in powers of two");
+  using vector = typename detail::vector_extension<T, W>::type;
+  using integers = typename detail::vector_extension<std::int64_t, W>::type;
+  static_assert(sizeof(T) == sizeof(std::int64_t), "masks and bit patterns are 64 bits wide");
+
+  vector v;
+
+  pack() = default;
+  PENDULA_INLINE pack(T x) : v(x - vector{}) {}  // x − 0 keeps the sign of −0, 0 + x does not
+  PENDULA_INLINE explicit pack(vector x) : v(x) {}
+
+  PENDULA_INLINE T operator[](int lane) const { return v[lane]; }
+  PENDULA_INLINE void set(int lane, T x) { v[lane] = x; }
+
+  PENDULA_INLINE friend pack operator+(pack a, pack b) { return pack(a.v + b.v); }
+  PENDULA_INLINE friend pack operator-(pack a, pack b) { return pack(a.v - b.v); }
+  PENDULA_INLINE friend pack operator*(pack a, pack b) { return pack(a.v * b.v); }
+  PENDULA_INLINE friend pack operator/(pack a, pack b) { return pack(a.v / b.v); }
+  PENDULA_INLINE friend pack operator-(pack a) { return pack(-a.v); }
+};
+
+// The handful of things that differ between a number and lanes of numbers.
+template <class S>
+struct lanes {  // plain scalars: one lane
+  static constexpr int count = 1;
+};
+template <class T, int W>
+struct lanes<pack<T, W>> {
+  static constexpr int count = W;
+};
+
+PENDULA_INLINE double lane(double x, int) { return x; }
+template <class T, int W>
+PENDULA_INLINE T lane(const pack<T, W>& x, int i) { return x[i]; }
+
+PENDULA_INLINE void set_lane(double& x, int, double value) { x = value; }
+template <class T, int W>
+PENDULA_INLINE void set_lane(pack<T, W>& x, int i, T value) { x.set(i, value); }
+
+PENDULA_INLINE bool equal(double a, double b) { return a == b; }
+template <class T, int W>
+PENDULA_INLINE auto equal(pack<T, W> a, pack<T, W> b) { return a.v == b.v; }
+
+// Masks: a bool, or 64-bit integers with all bits set where true.
+template <class M>
+concept LaneMask = (sizeof(M) > sizeof(std::int64_t));
+
+PENDULA_INLINE bool all_lanes(bool m) { return m; }
+template <LaneMask M>
+PENDULA_INLINE bool all_lanes(M mask) {
+  std::int64_t joined = -1;
+  for (std::size_t i = 0; i < sizeof(M) / sizeof(std::int64_t); ++i) joined &= mask[i];
+  return joined != 0;
+}
+
+PENDULA_INLINE bool lane_of(bool m, int) { return m; }
+template <LaneMask M>
+PENDULA_INLINE bool lane_of(M mask, int i) { return mask[i] != 0; }
+
+// Bit patterns, for signs and quadrants without branches.
+PENDULA_INLINE std::int64_t bits(double x) { return std::bit_cast<std::int64_t>(x); }
+template <class T, int W>
+PENDULA_INLINE auto bits(pack<T, W> x) { return (typename pack<T, W>::integers)x.v; }
+
+template <class S>
+PENDULA_INLINE S from_bits(decltype(bits(S(0.0))) pattern) {
+  if constexpr (lanes<S>::count == 1) {
+    return std::bit_cast<S>(pattern);
+  } else {
+    return S((typename S::vector)pattern);
+  }
+}
+
+// True where every component is neither infinite nor NaN: x − x is 0 for those alone.
+template <class S, std::size_t d>
+PENDULA_INLINE auto finite(const vec<S, d>& y) {
+  S sum = y[0] - y[0];
+  for (std::size_t i = 1; i < d; ++i) sum = sum + (y[i] - y[i]);
+  return equal(sum, S(0.0));
+}
+
+}  // namespace pendula

@@ -1,0 +1,42 @@
+// A parameter's name, unit, range and sentence live in one row; Python, command line and documentation read it.
+#pragma once
+
+#include <span>
+#include <string_view>
+
+namespace pendula {
+
+struct parameter {
+  std::string_view name;
+  std::string_view unit;     // SI
+  double standard;           // taken where the user names none; NaN: has to be named
+  bool zero_allowed;         // every parameter is finite; it is positive, or at least not negative
+  std::string_view meaning;  // one phrase, lower case
+};
+
+// One way to describe a system.
+struct form {
+  std::string_view name;  // empty where the system has one form only
+  std::string_view meaning;
+  std::span<const parameter> parameters;
+};
+
+struct component {  // of the state
+  std::string_view name;
+  std::string_view unit;
+  double standard;
+  std::string_view meaning;
+};
+
+// A number the equations are written in.
+template <class S>
+struct constant {
+  std::string_view name;
+  S value;
+};
+
+inline constexpr double to_be_named = __builtin_nan("");
+inline constexpr double standard_gravity = 9.80665;  // 3rd CGPM (1901), m/s²
+inline constexpr parameter gravity_row{"gravity", "m/s^2", standard_gravity, false, "gravitational acceleration"};
+
+}  // namespace pendula

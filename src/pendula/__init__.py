@@ -1,0 +1,61 @@
+"""A laboratory for the simple and the double pendulum.
+
+Exact solutions, integrators and their comparison; SI units and radians, angles from the downward
+vertical, counter-clockwise. See `SimplePendulum`, `DoublePendulum`, `exact`, `solve` and `methods`.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+__version__ = "0.1.0"
+
+# Where each public name lives; a name is imported when it is first used, so that `pendula --help` is there at once.
+_HOMES = {
+    "systems": ("DoublePendulum", "LinearPendulum", "SimplePendulum"),
+    "solving": ("exact", "methods", "solve"),
+    "trajectory": ("Trajectory",),
+    "io": ("load", "rerun"),
+}
+_MODULES = ("analysis", "elliptic", "io", "plot", "study", "systems", "units")
+
+if TYPE_CHECKING:
+    from pendula import analysis, elliptic, io, plot, study, systems, units
+    from pendula.io import load, rerun
+    from pendula.solving import exact, methods, solve
+    from pendula.systems import DoublePendulum, LinearPendulum, SimplePendulum
+    from pendula.trajectory import Trajectory
+
+__all__ = [
+    "DoublePendulum",
+    "LinearPendulum",
+    "SimplePendulum",
+    "Trajectory",
+    "analysis",
+    "elliptic",
+    "exact",
+    "io",
+    "load",
+    "methods",
+    "plot",
+    "rerun",
+    "solve",
+    "study",
+    "systems",
+    "units",
+]
+
+
+def __getattr__(name: str) -> Any:
+    import importlib
+
+    if name in _MODULES:
+        return importlib.import_module(f"pendula.{name}")
+    for home, names in _HOMES.items():
+        if name in names:
+            return getattr(importlib.import_module(f"pendula.{home}"), name)
+    raise AttributeError(f"module 'pendula' has no attribute {name!r}")
+
+
+def __dir__() -> list[str]:
+    return __all__

@@ -1,0 +1,90 @@
+"""One clear line for a bad value: the argument, the rule, the value, the way out."""
+
+from __future__ import annotations
+
+import importlib
+import math
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable
+
+    import numpy as np
+    from numpy.typing import ArrayLike, NDArray
+
+
+class MissingExtraError(ImportError):
+    """A part of pendula needs packages that the base install leaves out."""
+
+
+def extra(module: str, name: str) -> Any:
+    """Import `module`, or say which extra brings it."""
+    try:
+        return importlib.import_module(module)
+    except ImportError as error:
+        package = module.partition(".")[0]
+        raise MissingExtraError(
+            f'{package} is not installed; run: pip install "pendula[{name}]"'
+        ) from error
+
+
+def finite_number(name: str, value: object, unit: str = "") -> float:
+    """`value` as a float that is neither infinite nor NaN."""
+    try:
+        number = float(value)  # type: ignore[arg-type]
+    except (TypeError, ValueError):
+        raise ValueError(f"{name} must be a number{_in(unit)}, got {value!r}") from None
+    if not math.isfinite(number):
+        raise ValueError(f"{name} must be a finite number{_in(unit)}, got {number!r}")
+    return number
+
+
+def positive_number(name: str, value: object, unit: str = "", *, zero: bool = False) -> float:
+    """`value` as a finite float above zero, or not below it where `zero` is allowed."""
+    number = finite_number(name, value, unit)
+    if number < 0 or (number == 0 and not zero):
+        rule = "not be negative" if zero else "be positive"
+        raise ValueError(f"{name} must {rule}{_in(unit)}, got {number!r}")
+    return number
+
+
+def finite_array(name: str, value: ArrayLike, unit: str = "") -> NDArray[np.float64]:
+    """`value` as a contiguous array of finite doubles."""
+    import numpy as np
+
+    try:
+        array = np.ascontiguousarray(value, dtype=np.float64)
+    except (TypeError, ValueError):
+        raise ValueError(f"{name} must hold numbers{_in(unit)}, got {value!r}") from None
+    bad = ~np.isfinite(array)
+    if bad.any():
+        place = np.unravel_index(int(bad.argmax()), array.shape)
+        where = f"[{', '.join(str(int(i)) for i in place)}]" if array.ndim else ""
+        raise ValueError(
+            f"{name} must hold finite numbers{_in(unit)}, got {float(array[place])!r}"
+            + (f" at {name}{where}" if where else "")
+        )
+    return array
+
+
+def states_array(value: ArrayLike, components: tuple[str, ...]) -> NDArray[np.float64]:
+    """`value` as finite states of shape (..., d)."""
+    states = finite_array("state", value)
+    if states.ndim == 0 or states.shape[-1] != len(components):
+        raise ValueError(
+            f"state must be ({', '.join(components)}) or an array of such rows, "
+            f"got shape {states.shape}"
+        )
+    return states
+
+
+def one_of(name: str, value: object, choices: Iterable[str]) -> str:
+    """`value`, which has to be one of the names."""
+    known = tuple(choices)
+    if value not in known:
+        raise ValueError(f"{name} must be one of {', '.join(known)}; got {value!r}")
+    return str(value)
+
+
+def _in(unit: str) -> str:
+    return f" [{unit}]" if unit else ""

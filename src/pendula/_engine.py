@@ -1,0 +1,150 @@
+"""The only importer of the compiled core: the catalogue, and batches in, arrays out.
+
+Numpy is imported by the callers that make arrays, so that names, ranges and help are there at once.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cache
+from typing import TYPE_CHECKING
+
+from pendula import _core
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+    Array = NDArray[np.float64]
+
+Description = _core.Description
+
+
+@dataclass(frozen=True)
+class Parameter:
+    """A parameter of a system: name, SI unit, range and meaning."""
+
+    name: str
+    unit: str
+    standard: float | None
+    zero_allowed: bool
+    meaning: str
+
+
+@dataclass(frozen=True)
+class Component:
+    """A component of a state: name, SI unit, the start taken where none is named, and meaning."""
+
+    name: str
+    unit: str
+    standard: float
+    meaning: str
+
+
+@dataclass(frozen=True)
+class Form:
+    """One way to describe a system."""
+
+    name: str
+    meaning: str
+    parameters: tuple[Parameter, ...]
+
+
+@dataclass(frozen=True)
+class SystemEntry:
+    """A system of the catalogue."""
+
+    name: str
+    components: tuple[Component, ...]
+    forms: tuple[Form, ...]
+
+    def form_index(self, form: str) -> int:
+        """Place of the form of that name."""
+        return [each.name for each in self.forms].index(form)
+
+
+@dataclass(frozen=True)
+class Method:
+    """A method of the catalogue.
+
+    Attributes:
+        name: what `solve` takes.
+        order: of convergence.
+        evaluations_per_step: of the right-hand side.
+        adaptive: whether it takes a tolerance instead of a step.
+        symplectic: whether a step preserves the symplectic form.
+        systems: names of the systems it works for.
+        source: where it was published.
+    """
+
+    name: str
+    order: int
+    evaluations_per_step: int
+    adaptive: bool
+    symplectic: bool
+    systems: tuple[str, ...]
+    source: str
+
+
+@cache
+def system_entries() -> dict[str, SystemEntry]:
+    """The catalogue's systems by name."""
+    entries = (
+        SystemEntry(
+            row["name"],
+            tuple(Component(**component) for component in row["components"]),
+            tuple(
+                Form(form["name"], form["meaning"], tuple(map(_parameter, form["parameters"])))
+                for form in row["forms"]
+            ),
+        )
+        for row in _core.systems()
+    )
+    return {entry.name: entry for entry in entries}
+
+
+def _parameter(row: dict[str, object]) -> Parameter:
+    standard = row["standard"]
+    return Parameter(**{**row, "standard": None if standard != standard else standard})  # type: ignore[arg-type]
+
+
+@cache
+def methods() -> tuple[Method, ...]:
+    """The catalogue's methods, in its order."""
+    systems = tuple(system_entries())
+    return tuple(Method(**row, systems=systems) for row in _core.methods())
+
+
+def describe(system: str, form: str, parameters: tuple[float, ...]) -> Description:
+    """The description the core takes."""
+    return Description(system, system_entries()[system].form_index(form), list(parameters))
+
+
+def rows(function: str, description: Description, states: Array) -> Array:
+    """`rhs` or `positions` of states (..., d)."""
+    import numpy as np
+
+    flat = np.ascontiguousarray(states.reshape(-1, states.shape[-1]))
+    result: Array = getattr(_core, function)(description, flat)
+    return result.reshape(states.shape[:-1] + result.shape[1:])
+
+
+def energies(description: Description, states: Array) -> tuple[Array, Array]:
+    """Kinetic and potential energy of states (..., d), each (...) [J]."""
+    import numpy as np
+
+    flat = np.ascontiguousarray(states.reshape(-1, states.shape[-1]))
+    kinetic, potential = _core.energies(description, flat)
+    return kinetic.reshape(states.shape[:-1]), potential.reshape(states.shape[:-1])
+
+
+constants = _core.constants
+solve_fixed = _core.solve_fixed
+exact_linear = _core.exact_linear
+exact_simple = _core.exact_simple
+modulus_of_amplitude = _core.modulus_of_amplitude
+elliptic_K = _core.elliptic_K
+elliptic_K_series = _core.elliptic_K_series
+elliptic_E = _core.elliptic_E
+elliptic_F = _core.elliptic_F
+jacobi = _core.jacobi

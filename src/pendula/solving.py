@@ -1,0 +1,169 @@
+"""Solutions: in closed form with `exact`, step by step with `solve`."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from pendula import _engine
+from pendula._checks import finite_array, finite_number, one_of, positive_number, states_array
+from pendula.systems import LinearPendulum, SimplePendulum, System
+from pendula.trajectory import Request, Trajectory, exact_states
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import ArrayLike, NDArray
+
+    Array = NDArray[np.float64]
+
+MOST_STEPS = 2**53  # whole numbers are exact in a double up to here
+MOST_OUTPUTS = 10**8  # of a run's own steps: 3 to 4 GB of states
+
+
+def methods() -> tuple[_engine.Method, ...]:
+    """The methods `solve` takes: name, order, kind, systems and source of each."""
+    return _engine.methods()
+
+
+def exact(system: System, state: ArrayLike, t: ArrayLike, *, t0: float = 0.0) -> Trajectory:
+    """The motion in closed form.
+
+    The linear pendulum for any start: Herrera et al. (2024), eq. 11. The simple pendulum for a release
+    from rest, by Jacobi elliptic functions of modulus k = sin(θ0/2): eq. 21, corrected; DLMF 22.19(i).
+
+    Args:
+        system: a LinearPendulum or SimplePendulum.
+        state: (θ0, ω0) at time t0, or (m, 2) of them [rad, rad/s].
+        t: a time or times in any order, before t0 too, (n,) [s].
+        t0: time of the state [s].
+
+    Returns:
+        A trajectory with states (n, 2), or (m, n, 2) for m states.
+
+    Raises:
+        ValueError: for a system without a closed form, or values that are not finite.
+    """
+    _check_system(system)
+    if not isinstance(system, LinearPendulum | SimplePendulum):
+        raise ValueError(
+            f"system must be a LinearPendulum or SimplePendulum, got {system!r}: "
+            "no closed form is known; use solve"
+        )
+    start = states_array(state, system.components)
+    if start.ndim > 2:
+        raise ValueError(f"state must have shape (2,) or (m, 2), got {start.shape}")
+    if isinstance(system, SimplePendulum) and (start[..., 1] != 0.0).any():
+        raise ValueError(
+            "state must be a release from rest (omega0 = 0) for the exact solution of the simple "
+            f"pendulum, got omega0 = {float(start[..., 1][start[..., 1] != 0.0].ravel()[0])!r}; use solve"
+        )
+    origin = finite_number("t0", t0, "s")
+    times = finite_array("t", t, "s").reshape(-1)
+    states = exact_states(system, start, times - origin)
+    return Trajectory(system, "exact", times, states, Request(start, origin))
+
+
+def solve(
+    system: System,
+    state: ArrayLike,
+    t: ArrayLike,
+    method: str,
+    *,
+    t0: float = 0.0,
+    step: float | None = None,
+    max_steps: int | None = None,
+) -> Trajectory:
+    """The motion step by step.
+
+    Args:
+        system: a pendulum.
+        state: (θ, ω) or (θ1, θ2, ω1, ω2) at time t0, (d,) [rad, rad/s].
+        t: one end time: the output is the method's own steps; or output times, rising from t0 or
+            falling (backward), (n,) [s]. Times on the grid t0 + n·step are hit without shortening a
+            step; others by one shortened step from the grid.
+        method: a name that `methods()` lists.
+        t0: time of the state [s].
+        step: of a fixed-step method, positive [s].
+        max_steps: most steps allowed; a run that needs more ends as "step_limit".
+
+    Returns:
+        The trajectory; its `outcome` says how the run ended, and its times what was reached.
+
+    Raises:
+        ValueError: for an unknown method, or an argument out of range.
+    """
+    _check_system(system)
+    one_of("method", method, (each.name for each in methods()))
+    start = states_array(state, system.components)
+    if start.ndim != 1:
+        raise ValueError(f"state must be one state of shape ({start.shape[-1]},), got {start.shape}")
+    origin = finite_number("t0", t0, "s")
+    times, own_steps = _output_times(t, origin)
+    span = float(times[-1]) - origin
+    size = _step_size(method, step, span)
+    limit = _step_limit(max_steps)
+    if own_steps and abs(span) / size > MOST_OUTPUTS:
+        raise ValueError(
+            f"step = {size!r} s would make {abs(span) / size:.3g} outputs on the way to t = {times[-1]:g} s; "
+            "give output times, such as t=numpy.linspace(t0, t_end, 1001), or a larger step"
+        )
+    reached_t, states, reached, outcome, steps = _engine.solve_fixed(
+        system._description(), method, start.tolist(), origin, size if span >= 0 else -size, limit, times, own_steps
+    )
+    evaluations = {each.name: each.evaluations_per_step for each in methods()}[method]
+    request = Request(start, origin, float(times[0]) if own_steps else None, size, max_steps)
+    return Trajectory(
+        system, method, reached_t[:reached], states[:reached], request, outcome, steps, steps * evaluations
+    )
+
+
+def _check_system(system: object) -> None:
+    if not isinstance(system, System):
+        raise ValueError(
+            f"system must be a pendulum such as SimplePendulum(length=1.0), got {system!r}"
+        )
+
+
+def _output_times(t: ArrayLike, t0: float) -> tuple[Array, bool]:
+    """The times (n,), and whether the one of them is the end of a run's own steps."""
+    import numpy as np
+
+    times = finite_array("t", t, "s")
+    if times.ndim == 0:
+        if float(times) == t0:
+            raise ValueError(f"t must differ from t0 = {t0!r} s, got {float(times)!r}")
+        return times.reshape(1), True
+    if times.ndim != 1 or times.size == 0:
+        raise ValueError(f"t must be one end time or output times of shape (n,), got shape {times.shape}")
+    direction = np.sign(float(times[-1]) - t0)
+    gaps = np.diff(times)
+    if (gaps * direction <= 0).any() or (float(times[0]) - t0) * direction < 0:
+        raise ValueError(
+            f"t must rise (or fall) strictly from t0 = {t0!r} s or later, got {_shortened(times)}"
+        )
+    return times, False
+
+
+def _shortened(times: Array) -> str:
+    shown = ", ".join(f"{value:g}" for value in times[:4])
+    return f"[{shown}{', …' if times.size > 4 else ''}]"
+
+
+def _step_size(method: str, step: float | None, span: float) -> float:
+    if step is None:
+        raise ValueError(f"step is needed by the fixed-step method {method!r}; give step=0.001 [s], say")
+    size = positive_number("step", step, "s")
+    if span != 0.0 and size > abs(span):
+        raise ValueError(
+            f"step must not exceed the span of {abs(span)!r} s from t0 to the last time, got {size!r} s"
+        )
+    if abs(span) / size > MOST_STEPS:
+        raise ValueError(f"step = {size!r} s is too small for a span of {abs(span)!r} s: over 2^53 steps")
+    return size
+
+
+def _step_limit(max_steps: int | None) -> int:
+    if max_steps is None:
+        return MOST_STEPS
+    if isinstance(max_steps, bool) or not isinstance(max_steps, int) or max_steps < 1:
+        raise ValueError(f"max_steps must be a whole number of at least 1, got {max_steps!r}")
+    return min(max_steps, MOST_STEPS)

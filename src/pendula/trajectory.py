@@ -1,0 +1,180 @@
+"""What a run returns: times, states, how it ended, and what is needed to run it again."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+from pendula import _engine
+from pendula._checks import finite_array
+from pendula.systems import LinearPendulum
+
+if TYPE_CHECKING:
+    from os import PathLike
+
+    import numpy as np
+    import pandas as pd
+    import xarray as xr
+    from matplotlib.figure import Figure
+    from numpy.typing import ArrayLike, NDArray
+
+    from pendula.systems import System
+
+    Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Request:
+    """What was asked for: enough to run it again.
+
+    Attributes:
+        state: at time t0, (d,), or (m, d) for several exact solutions.
+        t0: time of that state [s].
+        end: the one end time, where the output is the method's own steps; None: times were asked for.
+        step: of a fixed-step method [s].
+        max_steps: most steps allowed; None: no limit.
+    """
+
+    state: Array
+    t0: float = 0.0
+    end: float | None = None
+    step: float | None = None
+    max_steps: int | None = None
+
+
+@dataclass(frozen=True, eq=False)
+class Trajectory:
+    """A motion at discrete times.
+
+    Attributes:
+        system: the pendulum.
+        method: name of the method; "exact" for the closed form.
+        t: output times, (n,) [s].
+        states: (n, d), or (m, n, d) for m exact solutions; (θ, ω) or (θ1, θ2, ω1, ω2) [rad, rad/s].
+        request: what was asked for.
+        outcome: how the run ended: "reached_end", "step_limit" or "not_finite"; the output holds what
+            was reached before.
+        n_steps: steps taken, shortened ones included.
+        n_evaluations: of the right-hand side.
+        trust_horizon: first time at which the run is off by more than the tolerance asked for [s];
+            None: not asked.
+    """
+
+    system: System
+    method: str
+    t: Array
+    states: Array
+    request: Request
+    outcome: str = "reached_end"
+    n_steps: int = 0
+    n_evaluations: int = 0
+    trust_horizon: float | None = None
+
+    @property
+    def theta(self) -> Array:
+        """Angles, never wrapped: (n,), or (n, 2) for the double pendulum [rad]."""
+        return self._half(0)
+
+    @property
+    def omega(self) -> Array:
+        """Angular velocities, shaped as the angles [rad/s]."""
+        return self._half(1)
+
+    @property
+    def kinetic_energy(self) -> Array:
+        """Kinetic energy at each time, (n,) [J]."""
+        return self.system.kinetic_energy(self.states)
+
+    @property
+    def potential_energy(self) -> Array:
+        """Potential energy at each time, zero at the lowest point, (n,) [J]."""
+        return self.system.potential_energy(self.states)
+
+    @property
+    def energy(self) -> Array:
+        """Total energy at each time, (n,) [J]."""
+        return self.system.energy(self.states)
+
+    @property
+    def energy_error(self) -> Array:
+        """(E(t) − E(t0)) / E(t0), (n,); relative to mgL (or D + E) for a start at rest at the bottom."""
+        import numpy as np
+
+        start = self.system.energy(self.request.state)[..., np.newaxis]
+        scale = np.where(start == 0.0, self.system.constants["energy_scale"], start)
+        return (self.energy - start) / scale
+
+    @property
+    def positions(self) -> Array:
+        """The bob, or the end of each rod, (n, d/2, 2) [m]."""
+        return self.system.positions(self.states)
+
+    def at(self, t: ArrayLike) -> Array:
+        """States (n, d) at any times (n,), where the method has a dense output [rad, rad/s].
+
+        Raises:
+            ValueError: for a method without one.
+        """
+        if self.method != "exact":
+            raise ValueError(
+                f"at needs a method with dense output, got {self.method!r}; "
+                "ask solve for these times: solve(system, state, t, method, step=...)"
+            )
+        times = finite_array("t", t, "s")
+        states = exact_states(self.system, self.request.state, times.ravel() - self.request.t0)
+        return states.reshape(self.request.state.shape[:-1] + (*times.shape, states.shape[-1]))
+
+    def to_xarray(self) -> xr.Dataset:
+        """A labelled dataset with units, energies, and the recipe in its attributes (extra: io)."""
+        from pendula.io import to_xarray
+
+        return to_xarray(self)
+
+    def to_pandas(self) -> pd.DataFrame:
+        """A table with a row for each time, units in the column names (extra: io)."""
+        from pendula.io import to_pandas
+
+        return to_pandas(self)
+
+    def save(self, path: str | PathLike[str], *, overwrite: bool = False) -> None:
+        """Write the trajectory; the name's ending chooses: .csv, .nc, .parquet or .zarr.
+
+        Raises:
+            ValueError: for another ending.
+            FileExistsError: where the path exists and `overwrite` is not set.
+        """
+        from pendula.io import save
+
+        save(self, path, overwrite=overwrite)
+
+    def plot(self) -> Figure:
+        """Angles, phase portrait or path, and energy error in one figure (extra: report)."""
+        from pendula.plot import trajectory
+
+        return trajectory(self)
+
+    def __repr__(self) -> str:
+        span = f"t = {self.t[0]:g} … {self.t[-1]:g} s" if self.t.size else "no times"
+        return (
+            f"<Trajectory of {self.system!r} by {self.method!r}: {self.t.size} times, {span}, "
+            f"{self.outcome}>"
+        )
+
+    def _half(self, which: int) -> Array:
+        count = self.states.shape[-1] // 2
+        part = self.states[..., which * count : (which + 1) * count]
+        return part[..., 0] if count == 1 else part
+
+
+def exact_states(system: System, state: Array, elapsed: Array) -> Array:
+    """The closed form at times (n,) after the state: (n, 2), or (m, n, 2) for states (m, 2)."""
+    import numpy as np
+
+    def one(start: Any) -> Array:
+        theta, omega = map(float, start)
+        length, gravity, _ = system.parameters.values()
+        if isinstance(system, LinearPendulum):
+            return _engine.exact_linear(length, gravity, theta, omega, elapsed)
+        return _engine.exact_simple(length, gravity, theta, elapsed)
+
+    return one(state) if state.ndim == 1 else np.stack([one(start) for start in state])
