@@ -10,17 +10,17 @@ from typing import TYPE_CHECKING, Any
 
 __version__ = "0.1.0"
 
-# Where each public name lives; a name is imported when it is first used, so that `pendula --help` is there at once.
+# Where each public name lives. It is imported when it is first used: help has to be there at once.
 _HOMES = {
     "systems": ("DoublePendulum", "LinearPendulum", "SimplePendulum"),
     "solving": ("exact", "methods", "solve"),
     "trajectory": ("Trajectory",),
     "io": ("load", "rerun"),
 }
-_MODULES = ("analysis", "elliptic", "io", "plot", "study", "systems", "units")
+_MODULES = ("analysis", "elliptic", "io", "plot", "study", "units")
 
 if TYPE_CHECKING:
-    from pendula import analysis, elliptic, io, plot, study, systems, units
+    from pendula import elliptic
     from pendula.io import load, rerun
     from pendula.solving import exact, methods, solve
     from pendula.systems import DoublePendulum, LinearPendulum, SimplePendulum
@@ -31,18 +31,12 @@ __all__ = [
     "LinearPendulum",
     "SimplePendulum",
     "Trajectory",
-    "analysis",
     "elliptic",
     "exact",
-    "io",
     "load",
     "methods",
-    "plot",
     "rerun",
     "solve",
-    "study",
-    "systems",
-    "units",
 ]
 
 
@@ -58,4 +52,4 @@ def __getattr__(name: str) -> Any:
 
 
 def __dir__() -> list[str]:
-    return __all__
+    return [*__all__, *_MODULES]

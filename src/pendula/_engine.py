@@ -5,9 +5,10 @@ Numpy is imported by the callers that make arrays, so that names, ranges and hel
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from functools import cache
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, cast
 
 from pendula import _core
 
@@ -104,8 +105,8 @@ def system_entries() -> dict[str, SystemEntry]:
 
 
 def _parameter(row: dict[str, object]) -> Parameter:
-    standard = row["standard"]
-    return Parameter(**{**row, "standard": None if standard != standard else standard})  # type: ignore[arg-type]
+    standard = cast("float", row["standard"])
+    return Parameter(**{**row, "standard": None if math.isnan(standard) else standard})  # type: ignore[arg-type]
 
 
 @cache

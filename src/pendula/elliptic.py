@@ -1,8 +1,8 @@
 """Elliptic integrals and Jacobi elliptic functions of real arguments.
 
-k is always the modulus, 0 ≤ k ≤ 1; the parameter m = k² never appears. Instead of k every function takes,
-by name, the complementary modulus kc = √(1 − k²), which keeps the digits near k = 1. Arguments broadcast
-against each other; NaN gives NaN.
+k is always the modulus, 0 ≤ k ≤ 1; the parameter m = k² never appears. Instead of k every function
+takes, by name, the complementary modulus kc = √(1 − k²), which keeps the digits near k = 1.
+Arguments broadcast against each other; NaN gives NaN.
 """
 
 from __future__ import annotations
@@ -55,7 +55,7 @@ def E(k: ArrayLike | None = None, *, kc: ArrayLike | None = None) -> Any:
 
 
 def F(phi: ArrayLike, k: ArrayLike | None = None, *, kc: ArrayLike | None = None) -> Any:
-    """Incomplete elliptic integral of the first kind F(φ, k), by Carlson's R_F (DLMF 19.25.5, by Boost).
+    """Incomplete elliptic integral of the first kind, by Carlson's R_F (DLMF 19.25.5, Boost).
 
     Args:
         phi: amplitude, any real number [rad].
@@ -72,14 +72,16 @@ def F(phi: ArrayLike, k: ArrayLike | None = None, *, kc: ArrayLike | None = None
 
 
 def am(u: ArrayLike, k: ArrayLike | None = None, *, kc: ArrayLike | None = None) -> Any:
-    """Jacobi's amplitude am(u, k), the inverse of F, not wrapped (DLMF 22.16.1, 22.20(ii)) [rad].
+    """Jacobi's amplitude, the inverse of F, not wrapped (DLMF 22.16.1, 22.20(ii)) [rad].
 
     Arguments, returned shape and errors as for `F`.
     """
     return _over(_engine.jacobi, k, kc, u)[0]
 
 
-def sncndn(u: ArrayLike, k: ArrayLike | None = None, *, kc: ArrayLike | None = None) -> JacobiValues:
+def sncndn(
+    u: ArrayLike, k: ArrayLike | None = None, *, kc: ArrayLike | None = None
+) -> JacobiValues:
     """The Jacobi elliptic functions sn, cn and dn (DLMF 22.20(ii)).
 
     Arguments, shape of each value and errors as for `F`.
@@ -112,7 +114,9 @@ def _over(
 
     given = [np.asarray(each, dtype=np.float64) for each in arguments]
     *given, modulus, complement = np.broadcast_arrays(*given, *_moduli(k, kc))
-    result = function(*(np.ascontiguousarray(each).ravel() for each in (*given, modulus, complement)))
+    result = function(
+        *(np.ascontiguousarray(each).ravel() for each in (*given, modulus, complement))
+    )
 
     def shaped(values: Array) -> Any:
         return values.reshape(modulus.shape) if modulus.ndim else float(values[0])
@@ -131,6 +135,6 @@ def _moduli(k: ArrayLike | None, kc: ArrayLike | None) -> tuple[Array, Array]:
     outside = (modulus < 0.0) | (modulus > 1.0)
     if outside.any():
         value = float(modulus[outside].ravel()[0]) if modulus.ndim else float(modulus)
-        raise ValueError(f"{name} must lie within [0, 1], got {value!r} (k is the modulus, not m = k²)")
+        raise ValueError(f"{name} must lie within [0, 1], got {value!r} (modulus, not m = k²)")
     other = np.sqrt((1.0 - modulus) * (1.0 + modulus))
     return (modulus, other) if kc is None else (other, modulus)

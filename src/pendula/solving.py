@@ -27,8 +27,8 @@ def methods() -> tuple[_engine.Method, ...]:
 def exact(system: System, state: ArrayLike, t: ArrayLike, *, t0: float = 0.0) -> Trajectory:
     """The motion in closed form.
 
-    The linear pendulum for any start: Herrera et al. (2024), eq. 11. The simple pendulum for a release
-    from rest, by Jacobi elliptic functions of modulus k = sin(θ0/2): eq. 21, corrected; DLMF 22.19(i).
+    The linear pendulum for any start: Herrera et al. (2024), eq. 11. The simple pendulum for a
+    release from rest, by Jacobi elliptic functions of modulus k = sin(θ0/2): eq. 21, corrected.
 
     Args:
         system: a LinearPendulum or SimplePendulum.
@@ -51,10 +51,11 @@ def exact(system: System, state: ArrayLike, t: ArrayLike, *, t0: float = 0.0) ->
     start = states_array(state, system.components)
     if start.ndim > 2:
         raise ValueError(f"state must have shape (2,) or (m, 2), got {start.shape}")
-    if isinstance(system, SimplePendulum) and (start[..., 1] != 0.0).any():
+    moving = start[..., 1][start[..., 1] != 0.0]
+    if isinstance(system, SimplePendulum) and moving.size:
         raise ValueError(
             "state must be a release from rest (omega0 = 0) for the exact solution of the simple "
-            f"pendulum, got omega0 = {float(start[..., 1][start[..., 1] != 0.0].ravel()[0])!r}; use solve"
+            f"pendulum, got omega0 = {float(moving[0])!r} rad/s; use solve"
         )
     origin = finite_number("t0", t0, "s")
     times = finite_array("t", t, "s").reshape(-1)
@@ -95,7 +96,9 @@ def solve(
     one_of("method", method, (each.name for each in methods()))
     start = states_array(state, system.components)
     if start.ndim != 1:
-        raise ValueError(f"state must be one state of shape ({start.shape[-1]},), got {start.shape}")
+        raise ValueError(
+            f"state must be one state of shape ({start.shape[-1]},), got {start.shape}"
+        )
     origin = finite_number("t0", t0, "s")
     times, own_steps = _output_times(t, origin)
     span = float(times[-1]) - origin
@@ -103,16 +106,30 @@ def solve(
     limit = _step_limit(max_steps)
     if own_steps and abs(span) / size > MOST_OUTPUTS:
         raise ValueError(
-            f"step = {size!r} s would make {abs(span) / size:.3g} outputs on the way to t = {times[-1]:g} s; "
+            f"step = {size!r} s makes {abs(span) / size:.3g} outputs up to t = {times[-1]:g} s; "
             "give output times, such as t=numpy.linspace(t0, t_end, 1001), or a larger step"
         )
     reached_t, states, reached, outcome, steps = _engine.solve_fixed(
-        system._description(), method, start.tolist(), origin, size if span >= 0 else -size, limit, times, own_steps
+        system._description(),
+        method,
+        start.tolist(),
+        origin,
+        size if span >= 0 else -size,
+        limit,
+        times,
+        own_steps,
     )
     evaluations = {each.name: each.evaluations_per_step for each in methods()}[method]
     request = Request(start, origin, float(times[0]) if own_steps else None, size, max_steps)
     return Trajectory(
-        system, method, reached_t[:reached], states[:reached], request, outcome, steps, steps * evaluations
+        system,
+        method,
+        reached_t[:reached],
+        states[:reached],
+        request,
+        outcome,
+        steps,
+        steps * evaluations,
     )
 
 
@@ -133,7 +150,9 @@ def _output_times(t: ArrayLike, t0: float) -> tuple[Array, bool]:
             raise ValueError(f"t must differ from t0 = {t0!r} s, got {float(times)!r}")
         return times.reshape(1), True
     if times.ndim != 1 or times.size == 0:
-        raise ValueError(f"t must be one end time or output times of shape (n,), got shape {times.shape}")
+        raise ValueError(
+            f"t must be one end time or output times of shape (n,), got shape {times.shape}"
+        )
     direction = np.sign(float(times[-1]) - t0)
     gaps = np.diff(times)
     if (gaps * direction <= 0).any() or (float(times[0]) - t0) * direction < 0:
@@ -150,14 +169,18 @@ def _shortened(times: Array) -> str:
 
 def _step_size(method: str, step: float | None, span: float) -> float:
     if step is None:
-        raise ValueError(f"step is needed by the fixed-step method {method!r}; give step=0.001 [s], say")
+        raise ValueError(
+            f"step is needed by the fixed-step method {method!r}; give step=0.001 [s], say"
+        )
     size = positive_number("step", step, "s")
     if span != 0.0 and size > abs(span):
         raise ValueError(
-            f"step must not exceed the span of {abs(span)!r} s from t0 to the last time, got {size!r} s"
+            f"step must not exceed the span of {abs(span)!r} s from t0 to the end, got {size!r} s"
         )
     if abs(span) / size > MOST_STEPS:
-        raise ValueError(f"step = {size!r} s is too small for a span of {abs(span)!r} s: over 2^53 steps")
+        raise ValueError(
+            f"step = {size!r} s is too small for a span of {abs(span)!r} s: over 2^53 steps"
+        )
     return size
 
 

@@ -77,7 +77,7 @@ class System:
     def _check_constants(self) -> None:
         """Parameters in range can still be too large or too small together."""
         for name, value in self.constants.items():
-            if not math.isfinite(value) or (value <= 0 and name != "C" and name != "E"):
+            if not math.isfinite(value) or (value <= 0 and name not in {"C", "E"}):
                 raise ValueError(
                     f"the parameters {self.parameters} cannot be computed with: "
                     f"their constant {name} is {value!r}; take values nearer to 1"
@@ -150,8 +150,8 @@ class SimplePendulum(_OneBob):
     def period(self, amplitude: ArrayLike | None = None, *, state: ArrayLike | None = None) -> Any:
         """Period of the motion of that amplitude, or through that state [s].
 
-        T = 4 K(k) / ωn in libration, 2 K(1/k) / (k ωn) for a whole turn in rotation, infinite on the
-        separatrix; k² = sin²(θ0/2) + (ω0/2ωn)². DLMF 22.19(i).
+        T = 4 K(k) / ωn in libration, 2 K(1/k) / (k ωn) for a whole turn in rotation, infinite on
+        the separatrix; k² = sin²(θ0/2) + (ω0/2ωn)². DLMF 22.19(i).
 
         Args:
             amplitude: largest angle of a libration, within [−π, π] [rad]; any shape.
@@ -211,8 +211,8 @@ class NormalModes:
 class DoublePendulum(System):
     """The planar double pendulum; make one with `rods`, `bobs` or `bodies`.
 
-    T = ½A ω1² + ½B ω2² + C ω1 ω2 cos(θ1−θ2), V = D (1 − cos θ1) + E (1 − cos θ2), with the constants
-    A … E that each form gives (`constants`). Rods: Herrera et al. (2024), eqs. 35–50, corrected.
+    T = ½A ω1² + ½B ω2² + C ω1 ω2 cos(θ1−θ2), V = D (1 − cos θ1) + E (1 − cos θ2), with the
+    constants A … E that each form gives (`constants`). Rods: Herrera et al. (2024), eqs. 35–50, corrected.
     """
 
     form: str
@@ -298,8 +298,8 @@ class DoublePendulum(System):
     def normal_modes(self) -> NormalModes:
         """Frequencies and shapes of small oscillations.
 
-        λ = ω² solves (AB − C²) λ² − (AE + BD) λ + DE = 0; the discriminant as a sum of squares and the
-        smaller root from the product of both lose no digits.
+        λ = ω² solves (AB − C²) λ² − (AE + BD) λ + DE = 0; the discriminant as a sum of squares and
+        the smaller root from the product of both lose no digits.
         """
         A, B, C, D, E, determinant, _ = self.constants.values()
         root = math.sqrt((A * E - B * D) ** 2 + 4.0 * C * C * D * E)
@@ -314,7 +314,7 @@ class DoublePendulum(System):
 def _mode_shape(
     A: float, B: float, C: float, D: float, E: float, square: float
 ) -> tuple[float, float]:
-    """Null vector of the stiffness less ω² times the mass matrix, by the row that is further from zero."""
+    """Null vector of the stiffness less ω² times the mass matrix, by its larger row."""
     first, second = (square * C, D - square * A), (E - square * B, square * C)
     x, y = max(first, second, key=lambda row: math.hypot(*row))
     length = math.copysign(math.hypot(x, y), x if x != 0.0 else y)

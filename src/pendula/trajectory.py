@@ -30,7 +30,7 @@ class Request:
     Attributes:
         state: at time t0, (d,), or (m, d) for several exact solutions.
         t0: time of that state [s].
-        end: the one end time, where the output is the method's own steps; None: times were asked for.
+        end: the one end time, where the output is the method's own steps; None: times were given.
         step: of a fixed-step method [s].
         max_steps: most steps allowed; None: no limit.
     """
@@ -50,10 +50,11 @@ class Trajectory:
         system: the pendulum.
         method: name of the method; "exact" for the closed form.
         t: output times, (n,) [s].
-        states: (n, d), or (m, n, d) for m exact solutions; (θ, ω) or (θ1, θ2, ω1, ω2) [rad, rad/s].
+        states: (n, d), or (m, n, d) for m exact solutions: (θ, ω) or (θ1, θ2, ω1, ω2), in radians
+            and radians per second.
         request: what was asked for.
-        outcome: how the run ended: "reached_end", "step_limit" or "not_finite"; the output holds what
-            was reached before.
+        outcome: how the run ended: "reached_end", "step_limit" or "not_finite"; the output holds
+            what was reached before.
         n_steps: steps taken, shortened ones included.
         n_evaluations: of the right-hand side.
         trust_horizon: first time at which the run is off by more than the tolerance asked for [s];
@@ -97,7 +98,7 @@ class Trajectory:
 
     @property
     def energy_error(self) -> Array:
-        """(E(t) − E(t0)) / E(t0), (n,); relative to mgL (or D + E) for a start at rest at the bottom."""
+        """(E(t) − E(t0)) / E(t0), (n,); over mgL (or D + E) for a start at rest at the bottom."""
         import numpy as np
 
         start = self.system.energy(self.request.state)[..., np.newaxis]
@@ -122,7 +123,7 @@ class Trajectory:
             )
         times = finite_array("t", t, "s")
         states = exact_states(self.system, self.request.state, times.ravel() - self.request.t0)
-        return states.reshape(self.request.state.shape[:-1] + (*times.shape, states.shape[-1]))
+        return states.reshape((*self.request.state.shape[:-1], *times.shape, states.shape[-1]))
 
     def to_xarray(self) -> xr.Dataset:
         """A labelled dataset with units, energies, and the recipe in its attributes (extra: io)."""

@@ -1,0 +1,82 @@
+"""Trajectories to tables and files and back; each file carries its recipe, version and outcome."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from pendula._checks import one_of
+from pendula.io import files
+from pendula.io.recipe import attributes, from_attributes
+from pendula.io.tables import to_pandas, to_xarray
+from pendula.io.writing import replacing
+
+if TYPE_CHECKING:
+    from os import PathLike
+
+    from pendula.trajectory import Trajectory
+
+__all__ = ["load", "rerun", "save", "to_pandas", "to_xarray"]
+
+
+def save(trajectory: Trajectory, path: str | PathLike[str], *, overwrite: bool = False) -> None:
+    """Write a trajectory; the name's ending chooses: .csv, .nc, .parquet or .zarr.
+
+    It is written beside the path and moved there when it is complete.
+
+    Raises:
+        ValueError: for another ending.
+        FileExistsError: where the path exists and `overwrite` is not set.
+        OSError: where the path cannot be written.
+    """
+    target = Path(path)
+    write, _ = files.FORMATS[_ending(target)]
+    with replacing(target, overwrite=overwrite) as unfinished:
+        write(trajectory, attributes(trajectory), unfinished)
+
+
+def load(path: str | PathLike[str]) -> Trajectory:
+    """Read a trajectory that `save` wrote.
+
+    Raises:
+        ValueError: for another ending, or a file that pendula did not write.
+        FileNotFoundError: where there is no such file.
+    """
+    source = Path(path)
+    _, read = files.FORMATS[_ending(source)]
+    if not source.exists():
+        raise FileNotFoundError(f"no such file: {source}")
+    return from_attributes(*read(source), source)
+
+
+def rerun(path: str | PathLike[str]) -> Trajectory:
+    """Run a saved trajectory again, from its own attributes alone; the same numbers bit for bit.
+
+    Raises:
+        ValueError, FileNotFoundError: as for `load`.
+    """
+    from pendula.solving import exact, solve
+
+    old = load(path)
+    asked = old.request
+    if old.method == "exact":
+        return exact(old.system, asked.state, old.t, t0=asked.t0)
+    t = old.t if asked.end is None else asked.end
+    return solve(
+        old.system,
+        asked.state,
+        t,
+        old.method,
+        t0=asked.t0,
+        step=asked.step,
+        max_steps=asked.max_steps,
+    )
+
+
+def _ending(path: Path) -> str:
+    try:
+        return one_of("ending", path.suffix.lower(), files.FORMATS)
+    except ValueError:
+        raise ValueError(
+            f"the file name must end in {', '.join(files.FORMATS)}, got {path.name!r}"
+        ) from None

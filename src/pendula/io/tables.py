@@ -1,0 +1,84 @@
+"""Labelled tables: columns with units for pandas and CSV, a dataset for xarray."""
+
+from __future__ import annotations
+
+import json
+from typing import TYPE_CHECKING
+
+from pendula import _engine
+from pendula._checks import extra
+from pendula.io.recipe import attributes
+
+if TYPE_CHECKING:
+    import numpy as np
+    import pandas as pd
+    import xarray as xr
+    from numpy.typing import NDArray
+
+    from pendula.trajectory import Trajectory
+
+    Array = NDArray[np.float64]
+
+
+def columns(trajectory: Trajectory) -> dict[str, tuple[str, Array]]:
+    """Name → (unit, values) of everything a file holds; states first, then what follows from them.
+
+    Values have the shape of the times, (n,), or (m, n) for several exact solutions.
+    """
+    entry = _engine.system_entries()[trajectory.system.name]
+    states = trajectory.states
+    table = {each.name: (each.unit, states[..., i]) for i, each in enumerate(entry.components)}
+    table["kinetic_energy"] = ("J", trajectory.kinetic_energy)
+    table["potential_energy"] = ("J", trajectory.potential_energy)
+    table["energy_error"] = ("1", trajectory.energy_error)
+    return table
+
+
+def one_motion(trajectory: Trajectory, what: str) -> None:
+    """Refuse several exact solutions where a table has one row for each time.
+
+    Raises:
+        ValueError: for states of shape (m, n, d).
+    """
+    if trajectory.states.ndim != 2:
+        raise ValueError(
+            f"{what} takes one motion, got {trajectory.states.shape[0]}; "
+            "use to_xarray, or save them one by one"
+        )
+
+
+def to_pandas(trajectory: Trajectory) -> pd.DataFrame:
+    """A table with a row for each time; columns such as "theta [rad]" (extra: io)."""
+    pandas = extra("pandas", "io")
+    one_motion(trajectory, "to_pandas")
+    named = {f"{name} [{unit}]": values for name, (unit, values) in columns(trajectory).items()}
+    frame: pd.DataFrame = pandas.DataFrame({"t [s]": trajectory.t, **named})
+    return frame
+
+
+def to_xarray(trajectory: Trajectory) -> xr.Dataset:
+    """A dataset over t (and trajectory, for several), units on each variable (extra: io).
+
+    Its attribute "pendula" is the recipe as JSON, from which `rerun` repeats the run.
+    """
+    xarray = extra("xarray", "io")
+    dims = ("t",) if trajectory.states.ndim == 2 else ("trajectory", "t")
+    variables = {
+        name: (dims, values, {"units": unit})
+        for name, (unit, values) in columns(trajectory).items()
+    }
+    dataset: xr.Dataset = xarray.Dataset(
+        variables,
+        coords={"t": ("t", trajectory.t, {"units": "s"})},
+        attrs={"pendula": attributes(trajectory), **_readable(trajectory)},
+    )
+    return dataset
+
+
+def _readable(trajectory: Trajectory) -> dict[str, str]:
+    """What a person looks for first."""
+    return {
+        "system": json.dumps(trajectory.system.description(), ensure_ascii=False),
+        "method": trajectory.method,
+        "outcome": trajectory.outcome,
+    }
