@@ -6,8 +6,13 @@
 #include <cstddef>
 #include <string_view>
 
-// Kernels are small and must be inlined into the loop that the compiler vectorises or pipelines.
+// Kernels are small and must be inlined into the loop that the compiler vectorises or pipelines; under a sanitizer
+// they are not small.
+#ifdef PENDULA_SANITIZED
+#define PENDULA_INLINE inline
+#else
 #define PENDULA_INLINE [[gnu::always_inline]] inline
+#endif
 
 namespace pendula {
 

@@ -1,6 +1,5 @@
-// Sine and cosine together, the same bits for a number and for every lane, on every machine. The error stays
-// below 0.8 ulp of each (core/tests/test_sincos.cpp), also next to the zeros, for |x| below `largest_angle`; from
-// there on the result is NaN, which ends a run, never a silently wrong number.
+// Sine and cosine together, the same bits for a number and for every lane, on every machine, for |x| below
+// `largest_angle`; from there on the result is NaN, which ends a run, never a silently wrong number.
 #pragma once
 
 #include "pendula/scalar/pack.hpp"
@@ -8,6 +7,7 @@
 namespace pendula {
 
 inline constexpr double largest_angle = 0x1p26;  // 1.07e7 turns
+inline constexpr double sincos_ulps = 0.8, sincos_absolute = 1e-25;  // the error stays below the larger
 
 template <class S>
 struct sine_cosine {

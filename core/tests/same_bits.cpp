@@ -1,0 +1,91 @@
+// Runs the whole catalogue with 1, 2, 4 and 8 lanes and hashes every bit of every state, energy and position. Prints
+// the hash of each width; with a file as argument, compares them with the hash it holds, made once and for all.
+#include <cstdio>
+#include <cstring>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "pendula/catalog.hpp"
+#include "pendula/drive/fixed.hpp"
+
+using namespace pendula;
+
+namespace {
+
+constexpr int trajectories = 16;
+
+struct hash {  // FNV-1a, 64 bits
+  std::uint64_t value = 14695981039346656037u;
+  void add(double x) {
+    unsigned char bytes[sizeof x];
+    std::memcpy(bytes, &x, sizeof x);
+    for (unsigned char byte : bytes) value = (value ^ byte) * 1099511628211u;
+  }
+};
+
+double parameter_of(int trajectory, std::size_t i) { return 0.6 + 0.07 * trajectory + 0.11 * static_cast<double>(i); }
+double component_of(int trajectory, std::size_t i) { return 2.4 - 0.31 * trajectory + 0.9 * static_cast<double>(i); }
+
+// Every number that W trajectories from `first` on produce, lane by lane, in an order that does not depend on W.
+template <class Entry, class Method, class S>
+void run(std::size_t form, int first, std::vector<std::vector<double>>& numbers) {
+  using Sys = typename Entry::template over<S>;
+  constexpr int width = lanes<S>::count;
+  std::vector<S> p(Entry::forms[form].parameters.size());
+  typename Sys::state start;
+  for (int l = 0; l < width; ++l) {
+    for (std::size_t i = 0; i < p.size(); ++i) set_lane(p[i], l, parameter_of(first + l, i));
+    for (std::size_t i = 0; i < start.size(); ++i) set_lane(start[i], l, component_of(first + l, i));
+  }
+  const auto system = Entry::template make<S>(form, p.data());
+  std::vector<fixed_output> outputs;
+  for (std::int64_t n = 0; n <= 400; n += 20) outputs.push_back({n, n % 40 == 0 ? 0.0 : 0.003});
+  const auto keep = [&](const S& x) {
+    for (int l = 0; l < width; ++l) numbers[static_cast<std::size_t>(first + l)].push_back(lane(x, l));
+  };
+  fixed_run<Method, Sys>(system, start, 0.01, 100000)
+      .through(
+          outputs,
+          [&](std::size_t, const auto& y) {
+            for (const S& component : y) keep(component);
+            keep(system.kinetic_energy(y));
+            keep(system.potential_energy(y));
+            for (const auto& point : system.positions(y))
+              for (const S& coordinate : point) keep(coordinate);
+          },
+          [] { return true; });
+}
+
+template <class S>
+std::uint64_t hash_of_catalogue() {
+  hash all;
+  for_each<systems>([&]<class Entry>() {
+    for (std::size_t form = 0; form < Entry::forms.size(); ++form)
+      for_each<methods>([&]<class Method>() {
+        std::vector<std::vector<double>> numbers(trajectories);
+        for (int first = 0; first < trajectories; first += lanes<S>::count) run<Entry, Method, S>(form, first, numbers);
+        for (const auto& trajectory : numbers)
+          for (double x : trajectory) all.add(x);
+      });
+  });
+  return all.value;
+}
+
+}  // namespace
+
+int main(int count, char** arguments) {
+  const std::uint64_t found[] = {hash_of_catalogue<double>(), hash_of_catalogue<pack<double, 2>>(),
+                                 hash_of_catalogue<pack<double, 4>>(), hash_of_catalogue<pack<double, 8>>()};
+  bool same = true;
+  std::string expected;
+  if (count > 1) std::ifstream(arguments[1]) >> expected;
+  for (int i = 0; i < 4; ++i) {
+    char text[17];
+    std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(found[i]));
+    std::printf("%d lanes: %s\n", 1 << i, text);
+    same = same && (count > 1 ? text == expected : found[i] == found[0]);
+  }
+  if (!same) std::printf("not the same bits%s%s\n", count > 1 ? ", expected " : "", expected.c_str());
+  return same ? 0 : 1;
+}
