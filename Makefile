@@ -45,7 +45,10 @@ study: .venv/installed
 test: test-core test-python
 
 test-core: .venv/installed
-	@sh scripts/test-core $(BIN) $(CORES)
+	@$(BIN)/cmake -S . -B build/core -G Ninja -DCMAKE_MAKE_PROGRAM=$(BIN)/ninja -DPython_EXECUTABLE=$(BIN)/python \
+	  -DPENDULA_PYTHON=OFF -DPENDULA_TESTS=ON >build/core.log || { cat build/core.log; exit 1; }
+	@$(BIN)/cmake --build build/core --parallel $(CORES) >build/core.log || { cat build/core.log; exit 1; }
+	$(BIN)/ctest --test-dir build/core --output-on-failure --parallel $(CORES)
 
 test-python: .venv/installed
 	$(BIN)/pytest -n $(CORES)

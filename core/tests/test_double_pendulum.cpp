@@ -3,6 +3,7 @@
 #include "pendula/drive/fixed.hpp"
 #include "pendula/method/rk4.hpp"
 #include "pendula/system/double_pendulum.hpp"
+#include "random.hpp"
 #include "truth.hpp"
 
 using pendula::double_pendulum;
@@ -23,7 +24,7 @@ std::array<double, 2> accelerations_as_printed(const double* p, const over::stat
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(rods_move_as_the_paper_says_once_corrected) {
-  auto random = truth::generator();
+  auto random = generator();
   std::uniform_real_distribution<double> size(0.3, 3.0), angle(-4.0, 4.0), speed(-6.0, 6.0);
   for (int i = 0; i < 1000; ++i) {
     const double p[] = {size(random), size(random), size(random), size(random), 3.0 * size(random)};

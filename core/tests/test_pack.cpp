@@ -4,7 +4,7 @@
 
 #include "pendula/scalar/product.hpp"
 #include "pendula/scalar/sincos.hpp"
-#include "truth.hpp"
+#include "random.hpp"
 
 using pendula::lane, pendula::pack, pendula::set_lane;
 
@@ -16,7 +16,7 @@ bool same_bits(double a, double b) { return std::bit_cast<std::int64_t>(a) == st
 template <int W, class Function>
 void lanes_equal_scalars(Function&& f) {
   const double special[] = {0.0, -0.0, 1.0, -1.0, 1e-320, 1e300, HUGE_VAL, -HUGE_VAL};
-  auto random = truth::generator();
+  auto random = generator();
   std::uniform_real_distribution<double> exponent(-30, 24);
   for (int round = 0; round < 500; ++round) {
     double a[W], b[W];
@@ -73,13 +73,12 @@ BOOST_AUTO_TEST_CASE(finite_tells_lanes_apart) {
   BOOST_TEST(!pendula::all_lanes(well));
 }
 
-BOOST_AUTO_TEST_CASE(two_product_is_exact) {
-  auto random = truth::generator();
+BOOST_AUTO_TEST_CASE(two_product_is_exact) {  // what a fused multiply-add says the error is
+  auto random = generator();
   std::uniform_real_distribution<double> factor(-1e3, 1e3);
   for (int i = 0; i < 1000; ++i) {
     const double a = factor(random), b = factor(random);
-    const auto [head, tail] = pendula::two_product(a, b);
-    BOOST_TEST((truth::number(head) + tail == truth::number(a) * b), a << " times " << b);
+    BOOST_TEST(pendula::two_product(a, b).tail == std::fma(a, b, -(a * b)), a << " times " << b);
   }
 }
 

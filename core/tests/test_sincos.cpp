@@ -2,6 +2,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include "pendula/scalar/sincos.hpp"
+#include "random.hpp"
 #include "truth.hpp"
 
 using pendula::largest_angle, pendula::sincos;
@@ -21,13 +22,13 @@ void check(double x) {
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(sincos_of_random_angles_of_every_size) {
-  auto random = truth::generator();
+  auto random = generator();
   std::uniform_real_distribution<double> exponent(-30.0, std::log2(largest_angle)), sign(-1.0, 1.0);
   for (int i = 0; i < 20000; ++i) check(std::copysign(std::exp2(exponent(random)), sign(random)));
 }
 
 BOOST_AUTO_TEST_CASE(sincos_of_small_angles) {
-  auto random = truth::generator();
+  auto random = generator();
   std::uniform_real_distribution<double> angle(-4.0, 4.0);
   for (int i = 0; i < 20000; ++i) check(angle(random));
 }

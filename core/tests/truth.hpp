@@ -4,7 +4,6 @@
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
 #include <limits>
-#include <random>
 
 namespace truth {
 
@@ -17,8 +16,5 @@ inline double ulps(double got, const number& want) {
                                      : std::ldexp(1.0, std::ilogb(nearest) - 52);
   return abs((number(got) - want) / unit).convert_to<double>();
 }
-
-// The same numbers in every run.
-inline std::mt19937_64 generator() { return std::mt19937_64(20240305); }
 
 }  // namespace truth
