@@ -53,7 +53,7 @@ def finite_array(name: str, value: ArrayLike, unit: str = "") -> NDArray[np.floa
     import numpy as np
 
     try:
-        array = np.ascontiguousarray(value, dtype=np.float64)
+        array = np.asarray(value, dtype=np.float64, order="C")
     except (TypeError, ValueError):
         raise ValueError(f"{name} must hold numbers{_in(unit)}, got {value!r}") from None
     bad = ~np.isfinite(array)

@@ -54,7 +54,7 @@ def from_attributes(text: str, t: Array, states: Array, source: Path) -> Traject
         request = Request(state, known["t0"], known["end"], known["step"], known["max_steps"])
         counts = known["outcome"], known["n_steps"], known["n_evaluations"]
         return Trajectory(system, known["method"], t, states, request, *counts)
-    except (KeyError, TypeError, json.JSONDecodeError) as error:
+    except (AttributeError, KeyError, TypeError, json.JSONDecodeError) as error:
         raise ValueError(
             f"{source} does not hold a trajectory of pendula: its attributes lack or spoil {error}"
         ) from None

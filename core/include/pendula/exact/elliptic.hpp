@@ -23,7 +23,7 @@ struct agm_scale {
   int iterations = 0;
 
   explicit agm_scale(modulus m) {
-    a[0] = 1.0;
+    a[0] = std::isnan(m.k) ? m.k : 1.0;
     c[0] = m.k;
     double b = m.kc;
     while (iterations < most && std::fabs(c[iterations]) > 0x1p-53 * a[iterations]) {

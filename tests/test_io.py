@@ -1,0 +1,171 @@
+import json
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import pendula
+from pendula import DoublePendulum, LinearPendulum, SimplePendulum, Trajectory, exact, solve
+from pendula.io import files
+from pendula.io.writing import replacing
+
+RUNS = {
+    "rods": lambda: solve(DoublePendulum.rods(1, 2, 0.7), (2, 2.5, 0, 0), 1.0, "rk4", step=1e-3),
+    "bodies": lambda: solve(
+        DoublePendulum.bodies(1, 2, 0.5, 0.2, 0.3, 0.01, 0.02),
+        (1, 0, 0, 0),
+        [0.1, 0.25],
+        "heun",
+        step=0.1,
+    ),
+    "backward": lambda: solve(SimplePendulum(), (1, 0), -1.0, "euler", t0=0.1, step=0.01),
+    "limited": lambda: solve(SimplePendulum(), (1, 0), 1.0, "rk4", step=0.01, max_steps=7),
+    "exact": lambda: exact(SimplePendulum(0.3), (2.9, 0), np.linspace(0, 9, 40), t0=0.5),
+    "linear": lambda: exact(LinearPendulum(0.3), (0.1, 0.7), [5.0, 1.0]),
+}
+every_run = pytest.mark.parametrize("run", RUNS.values(), ids=RUNS)
+every_format = pytest.mark.parametrize("ending", list(files.FORMATS))
+
+
+def same(a: Trajectory, b: Trajectory) -> None:
+    """Every bit of both."""
+    assert a.system == b.system
+    assert (a.method, a.outcome, a.n_steps, a.n_evaluations) == (
+        b.method,
+        b.outcome,
+        b.n_steps,
+        b.n_evaluations,
+    )
+    assert a.t.tobytes() == b.t.tobytes()
+    assert a.states.tobytes() == b.states.tobytes()
+    assert a.request.state.tolist() == b.request.state.tolist()
+    assert (a.request.t0, a.request.end, a.request.step, a.request.max_steps) == (
+        b.request.t0, b.request.end, b.request.step, b.request.max_steps,
+    )  # fmt: skip
+
+
+@every_run
+@every_format
+def test_a_file_holds_the_run_and_runs_again(run, ending: str, tmp_path: Path) -> None:  # type: ignore[no-untyped-def]
+    trajectory, path = run(), tmp_path / f"run{ending}"
+    trajectory.save(path)
+    same(pendula.load(path), trajectory)
+    same(pendula.rerun(path), trajectory)
+    assert [each.name for each in tmp_path.iterdir()] == [path.name]
+
+
+@every_format
+def test_nothing_is_overwritten_unasked(ending: str, tmp_path: Path) -> None:
+    path = tmp_path / f"run{ending}"
+    RUNS["linear"]().save(path)
+    with pytest.raises(FileExistsError, match=r"exists; choose another name"):
+        RUNS["exact"]().save(path)
+    same(pendula.load(path), RUNS["linear"]())
+    RUNS["exact"]().save(path, overwrite=True)
+    same(pendula.load(path), RUNS["exact"]())
+    assert len(list(tmp_path.iterdir())) == 1
+
+
+def test_the_header_of_a_csv_has_units(tmp_path: Path) -> None:
+    RUNS["rods"]().save(tmp_path / "run.csv")
+    recipe, header, first, *_ = (tmp_path / "run.csv").read_text(encoding="utf-8").splitlines()
+    assert json.loads(recipe.removeprefix("# pendula: "))["system"]["parameters"]["m2"] == 2.0
+    assert header == (
+        "t [s],theta1 [rad],theta2 [rad],omega1 [rad/s],omega2 [rad/s],"
+        "kinetic_energy [J],potential_energy [J],energy_error [1]"
+    )
+    assert first.startswith("0.0,2.0,2.5,0.0,0.0,0.0,")
+
+
+def test_several_exact_solutions_need_a_dataset(tmp_path: Path) -> None:
+    many = exact(SimplePendulum(), [(1, 0), (2, 0)], [0.0, 1.0, 2.0])
+    many.save(tmp_path / "many.nc")
+    assert pendula.load(tmp_path / "many.nc").states.tobytes() == many.states.tobytes()
+    assert many.to_xarray()["theta"].dims == ("trajectory", "t")
+    with pytest.raises(ValueError, match="takes one motion, got 2"):
+        many.save(tmp_path / "many.csv")
+    assert [each.name for each in tmp_path.iterdir()] == ["many.nc"]
+
+
+def test_tables_are_labelled() -> None:
+    run = RUNS["rods"]()
+    dataset, frame = run.to_xarray(), run.to_pandas()
+    assert dataset["omega2"].attrs["units"] == "rad/s"
+    assert dataset["t"].attrs["units"] == "s"
+    assert (dataset["theta1"].values == run.theta[:, 0]).all()
+    assert list(frame.columns[:2]) == ["t [s]", "theta1 [rad]"]
+    assert len(frame) == run.t.size
+
+
+@pytest.mark.parametrize("name", ["run", "run.txt", "run.csv.gz"])
+def test_another_ending_is_refused(name: str, tmp_path: Path) -> None:
+    with pytest.raises(ValueError, match=r"must end in \.csv, \.nc, \.parquet, \.zarr, got"):
+        RUNS["linear"]().save(tmp_path / name)
+    with pytest.raises(ValueError, match="must end in"):
+        pendula.load(tmp_path / name)
+
+
+def test_what_pendula_did_not_write_is_refused(tmp_path: Path) -> None:
+    path = tmp_path / "other.csv"
+    path.write_text("a,b\n1,2\n", encoding="utf-8")
+    with pytest.raises(ValueError, match=r"other\.csv was not written by pendula"):
+        pendula.load(path)
+    path.write_text(
+        '# pendula: {"system": 3}\nt [s],theta [rad],omega [rad/s]\n0,1,2\n', encoding="utf-8"
+    )
+    with pytest.raises(ValueError, match="does not hold a trajectory"):
+        pendula.load(path)
+    with pytest.raises(FileNotFoundError, match="no such file"):
+        pendula.load(tmp_path / "nowhere.nc")
+
+
+def test_an_unwritable_path_is_named(tmp_path: Path) -> None:
+    with pytest.raises(FileNotFoundError, match="is not a folder; make it first"):
+        RUNS["linear"]().save(tmp_path / "no" / "run.csv")
+    (tmp_path / "file").write_text("", encoding="utf-8")
+    with pytest.raises(NotADirectoryError, match="is not a folder"):
+        RUNS["linear"]().save(tmp_path / "file" / "run.csv")
+
+
+@pytest.mark.parametrize("folder", [False, True])
+def test_a_failed_write_leaves_what_was_there(folder: bool, tmp_path: Path) -> None:
+    target = tmp_path / "result"
+    if folder:
+        target.mkdir()
+        (target / "old").write_text("old", encoding="utf-8")
+    else:
+        target.write_text("old", encoding="utf-8")
+
+    def fail() -> None:
+        with replacing(target, overwrite=True) as unfinished:
+            unfinished.mkdir() if folder else unfinished.write_text("new", encoding="utf-8")
+            raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        fail()
+    old = target / "old" if folder else target
+    assert old.read_text(encoding="utf-8") == "old"
+    assert [each.name for each in tmp_path.iterdir()] == ["result"]
+
+
+def test_a_missing_extra_is_named(tmp_path: Path) -> None:
+    """With the packages of the extra hidden, the base install still writes CSV."""
+    code = f"""
+import sys
+for hidden in ("pandas", "xarray", "pyarrow", "h5netcdf", "zarr"):
+    sys.modules[hidden] = None
+import pendula
+run = pendula.exact(pendula.SimplePendulum(), (1, 0), [0.0, 1.0])
+run.save({os.fspath(tmp_path / "run.csv")!r})
+for ending in ("nc", "parquet", "zarr"):
+    try:
+        run.save({os.fspath(tmp_path)!r} + "/run." + ending)
+    except ImportError as error:
+        print(error)
+"""
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert done.stdout.count('is not installed; run: pip install "pendula[io]"') == 3
+    assert [each.name for each in tmp_path.iterdir()] == ["run.csv"]

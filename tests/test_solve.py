@@ -1,0 +1,186 @@
+import math
+import signal
+import subprocess
+import sys
+import time
+from typing import Any
+
+import numpy as np
+import pytest
+
+from pendula import DoublePendulum, LinearPendulum, SimplePendulum, exact, methods, solve
+from reference import cases
+
+RODS = DoublePendulum.rods(gravity=9.81)
+SIMPLE = SimplePendulum(0.5, 9.81)
+METHODS = [each.name for each in methods()]
+
+# Uniform rods, m = l = 1, g = 9.81, from rest at (2, 2.5): FLINT with 60 digits.
+CHECK = {
+    1.0: [-1.01478186187538306, -1.12244606910181525, -7.26181086506237487, 5.72845783468323474],
+    5.0: [0.205462239524980870, -7.52104212191582645, 1.68158668590311311, 11.7276651341110641],
+}
+
+
+def test_the_catalogue() -> None:
+    assert METHODS == ["euler", "heun", "rk4"]
+    assert [each.order for each in methods()] == [1, 2, 4]
+    assert all(each.source and each.systems == ("linear", "simple", "double") for each in methods())
+
+
+def test_rods_reach_the_check_values() -> None:
+    run = solve(RODS, (2.0, 2.5, 0.0, 0.0), list(CHECK), "rk4", step=1e-4)
+    np.testing.assert_allclose(run.states, list(CHECK.values()), rtol=0, atol=1e-9)
+    assert (run.n_steps, run.n_evaluations, run.outcome) == (50000, 200000, "reached_end")
+
+
+def test_the_stored_solutions_of_the_double_pendulum() -> None:
+    for case in cases("double.json"):
+        p = {key: float(value) for key, value in case["params"].items()}
+        system = DoublePendulum.rods(p["m1"], p["m2"], p["l1"], p["l2"], p["g"])
+        t = [float(x) for x in case["times"] if float(x) <= 2]
+        run = solve(system, [float(x) for x in case["state"]], t, "rk4", step=1e-4)
+        want = np.array(case["states"], dtype=float)[: len(t)]
+        np.testing.assert_allclose(run.states, want, rtol=0, atol=2e-9)
+
+
+@pytest.mark.parametrize("method", methods(), ids=METHODS)
+@pytest.mark.parametrize("system", [LinearPendulum(0.5, 9.81), SIMPLE], ids=["linear", "simple"])
+def test_the_measured_order_is_the_order(system: Any, method: Any) -> None:
+    start, end = (2.0, 0.0), 1.0
+    truth = exact(system, start, end).states[-1]
+    steps = np.array([2.0**-n for n in range(8, 12)])
+    errors = [
+        np.abs(solve(system, start, end, method.name, step=h).states[-1] - truth).max()
+        for h in steps / (1 if method.order == 4 else 8)
+    ]
+    slope = np.polyfit(np.log(steps), np.log(errors), 1)[0]
+    assert slope == pytest.approx(method.order, abs=0.1)
+
+
+@pytest.mark.parametrize("method", METHODS)
+def test_output_times_do_not_change_the_grid(method: str) -> None:
+    start = (1.0, -0.5, 0.2, 0.3)
+    own = solve(RODS, start, 1.0, method, step=0.01)
+    assert own.t.size == 101
+    assert own.t[-1] == 1.0
+    asked = solve(RODS, start, [0.0, 0.123, 0.3, 0.30000000000001, 0.999, 1.0], method, step=0.01)
+    assert (asked.states[[0, 2, 5]] == own.states[[0, 30, 100]]).all()
+    assert (asked.states[3] == own.states[30]).all()  # within 1e−9 of a step
+    again = solve(RODS, own.states[12], [0.003], method, step=0.003)
+    np.testing.assert_allclose(asked.states[1], again.states[0], rtol=1e-14)
+    assert asked.n_steps == 102
+
+
+def test_the_last_step_is_shortened_to_the_end() -> None:
+    run = solve(SIMPLE, (1.0, 0.0), 0.25, "rk4", step=0.1)
+    np.testing.assert_allclose(run.t, [0, 0.1, 0.2, 0.25])
+    assert run.n_steps == 3
+
+
+@pytest.mark.parametrize("method", METHODS)
+def test_backward_in_time(method: str) -> None:
+    there = solve(SIMPLE, (1.0, 0.3), 5.0, method, t0=3.0, step=1e-4)
+    back = solve(SIMPLE, there.states[-1], 3.0, method, t0=5.0, step=1e-4)
+    assert back.t[0] == 5.0
+    assert back.t[-1] == 3.0
+    np.testing.assert_allclose(
+        back.states[-1], (1.0, 0.3), atol=0.02 if method == "euler" else 1e-6
+    )
+    falling = solve(SIMPLE, (1.0, 0.3), [-1.0, -2.0], method, step=0.25)
+    assert falling.t.tolist() == [-1.0, -2.0]
+
+
+def test_a_late_start_changes_nothing() -> None:
+    early = solve(SIMPLE, (1.0, 0.0), 2.0, "rk4", step=0.125)
+    late = solve(SIMPLE, (1.0, 0.0), 1002.0, "rk4", t0=1000.0, step=0.125)
+    assert (late.states == early.states).all()
+    assert (late.t == early.t + 1000).all()
+
+
+def test_two_descriptions_with_the_same_constants_give_the_same_bits() -> None:
+    bobs = DoublePendulum.bobs(gravity=9.5)
+    bodies = DoublePendulum.bodies(1, 1, 1, 1, 1, 0, 0, 9.5)
+    a, b = (solve(each, (2, 1, 0, 0), 3.0, "rk4", step=0.01) for each in (bobs, bodies))
+    assert (a.states == b.states).all()
+
+
+def test_a_run_that_blows_up_ends_with_what_it_reached() -> None:
+    run = solve(RODS, (2.0, 1.0, 0.0, 0.0), 1000.0, "euler", step=1.0)
+    assert run.outcome == "not_finite"
+    assert run.t.size == run.states.shape[0] < 100
+    assert np.isfinite(run.states).all()
+
+
+def test_an_angle_beyond_the_sine_ends_the_run() -> None:
+    run = solve(SIMPLE, (2.0**26 - 1, 100.0), 1.0, "rk4", step=1e-3)
+    assert run.outcome == "not_finite"
+    assert 0.005 < run.t[-1] < 0.02
+
+
+def test_the_step_limit() -> None:
+    run = solve(SIMPLE, (1.0, 0.0), 1.0, "rk4", step=0.01, max_steps=25)
+    assert (run.outcome, run.t.size, run.n_steps) == ("step_limit", 26, 25)
+
+
+@pytest.mark.parametrize(
+    ("change", "message"),
+    [
+        ({"method": "rk5"}, "^method must be one of euler, heun, rk4; got 'rk5'"),
+        ({"step": None}, "^step is needed by the fixed-step method 'rk4'"),
+        ({"step": 0}, r"^step must be positive \[s\], got 0\.0"),
+        ({"step": -1e-3}, "^step must be positive"),
+        ({"step": math.nan}, "^step must be a finite number"),
+        ({"step": 2.0}, r"^step must not exceed the span of 1\.0 s .*got 2\.0 s"),
+        ({"step": 1e-9}, r"makes 1e\+09 outputs .*give output times"),
+        ({"step": 1e-20, "t": [1.0]}, r"too small.*over 2\^53 steps"),
+        ({"t": 0.0}, r"^t must differ from t0 = 0\.0 s"),
+        ({"t": []}, r"^t must be one end time or output times of shape \(n,\)"),
+        ({"t": [0.5, 0.2]}, r"^t must rise \(or fall\) strictly"),
+        ({"t": [0.5, 0.5]}, r"^t must rise \(or fall\) strictly"),
+        ({"t": [-1.0, 1.0]}, r"^t must rise \(or fall\) strictly"),
+        ({"t": math.inf}, "^t must hold finite numbers"),
+        ({"state": (1.0,)}, r"^state must be \(theta, omega\)"),
+        ({"state": [(1.0, 0.0)]}, r"^state must be one state of shape \(2,\)"),
+        ({"state": (1.0, math.nan)}, r"^state must hold finite numbers, got nan at state\[1\]"),
+        ({"t0": math.nan}, "^t0 must be a finite number"),
+        ({"max_steps": 0}, "^max_steps must be a whole number"),
+        ({"system": RODS}, r"^state must be \(theta1, theta2, omega1, omega2\)"),
+    ],
+)
+def test_bad_arguments_get_one_clear_line(change: dict[str, Any], message: str) -> None:
+    arguments = {"system": SIMPLE, "state": (1.0, 0.0), "t": 1.0, "method": "rk4", "step": 0.01}
+    with pytest.raises(ValueError, match=message) as error:
+        solve(**{**arguments, **change})
+    assert "\n" not in str(error.value)
+
+
+def test_energy_error_is_relative_and_has_a_scale_at_rest() -> None:
+    run = solve(RODS, (2.0, 2.5, 0.0, 0.0), 2.0, "heun", step=1e-2)
+    energy = RODS.energy(run.states)
+    np.testing.assert_allclose(run.energy_error, (energy - energy[0]) / energy[0])
+    assert np.abs(run.energy_error).max() > 1e-6
+    rest = solve(RODS, (0.0, 0.0, 0.0, 0.0), 1.0, "rk4", step=0.1)
+    assert (rest.energy_error == 0).all()
+
+
+def test_dense_output_is_refused_where_there_is_none() -> None:
+    with pytest.raises(ValueError, match="dense output, got 'rk4'"):
+        solve(SIMPLE, (1.0, 0.0), 1.0, "rk4", step=0.1).at(0.5)
+
+
+def test_an_interrupt_ends_a_long_run() -> None:
+    """A run of a day ends when it is interrupted, with Python's own exception."""
+    code = (
+        "import pendula; print('ready', flush=True);"
+        "pendula.solve(pendula.SimplePendulum(), (1, 0), [1e6], 'rk4', step=1e-6)"
+    )
+    with subprocess.Popen(
+        [sys.executable, "-c", code], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
+    ) as run:
+        assert run.stdout is not None
+        assert run.stdout.readline() == "ready\n"
+        time.sleep(0.3)
+        run.send_signal(signal.SIGINT)
+        _, errors = run.communicate(timeout=20)
+    assert "KeyboardInterrupt" in errors

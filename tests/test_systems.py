@@ -1,0 +1,274 @@
+import dataclasses
+import json
+import math
+import pickle
+from typing import Any
+
+import numpy as np
+import pytest
+import sympy as sp
+
+from pendula import DoublePendulum, LinearPendulum, SimplePendulum, _engine
+from pendula.systems import System, system_from
+
+BODIES = DoublePendulum.bodies(1.2, 0.7, 0.9, 0.4, 0.3, 0.05, 0.02, 9.81, l2=0.8)
+ALL = [
+    LinearPendulum(0.5, 9.81, 2.0),
+    SimplePendulum(0.5, 9.81, 2.0),
+    DoublePendulum.rods(1.3, 0.8, 0.6, 1.1, 9.81),
+    DoublePendulum.bobs(1.3, 0.8, 0.6, 1.1, 9.81),
+    BODIES,
+]
+every_system = pytest.mark.parametrize("system", ALL, ids=repr)
+
+# T/T0 = (2/π) K(sin(θ0/2)) with 20 digits, by mpmath.
+PERIODS = {
+    1: 1.00001903892100551,
+    10: 1.00190718814321661,
+    30: 1.01740879759595601,
+    60: 1.07318200714936438,
+    90: 1.18034059901609623,
+    120: 1.37288050061835016,
+    150: 1.76220372950375603,
+    170: 2.43936271967388406,
+    179: 3.90106516038908573,
+    179.99: 6.832737338014762,
+}
+
+
+@every_system
+def test_a_description_survives_everything(system: System) -> None:
+    assert pickle.loads(pickle.dumps(system)) == system
+    assert system_from(json.loads(json.dumps(system.description()))) == system
+    assert len({system, system_from(system.description())}) == 1
+    assert eval(repr(system)) == system
+
+
+@every_system
+def test_a_description_is_frozen(system: System) -> None:
+    with pytest.raises(dataclasses.FrozenInstanceError):
+        system.mass = 3.0  # type: ignore[attr-defined]
+
+
+def test_different_systems_differ() -> None:
+    assert len(set(ALL)) == len(ALL)
+    assert len({LinearPendulum(), SimplePendulum()}) == 2
+    assert SimplePendulum(1.0) != SimplePendulum(1.0 + 2**-52)
+
+
+def test_python_and_the_catalogue_agree_on_parameters() -> None:
+    makers: dict[tuple[str, str], Any] = {
+        ("linear", ""): LinearPendulum,
+        ("simple", ""): SimplePendulum,
+        ("double", "rods"): DoublePendulum.rods,
+        ("double", "bobs"): DoublePendulum.bobs,
+        ("double", "bodies"): DoublePendulum.bodies,
+    }
+    import inspect
+
+    for entry in _engine.system_entries().values():
+        for form in entry.forms:
+            given = inspect.signature(makers[entry.name, form.name]).parameters
+            assert list(given) == [row.name for row in form.parameters]
+            for row in form.parameters:
+                if row.standard is not None:
+                    assert given[row.name].default == row.standard
+
+
+@pytest.mark.parametrize("bad", [0.0, -1.0, math.inf, math.nan, "1 m", None])
+@pytest.mark.parametrize("name", ["length", "gravity", "mass"])
+def test_a_parameter_out_of_range_is_named(name: str, bad: Any) -> None:
+    with pytest.raises(ValueError, match=rf"^{name} must .*got {bad!r}"):
+        SimplePendulum(**{name: bad})
+
+
+@pytest.mark.parametrize(
+    ("parameters", "message"),
+    [
+        ({"m1": -1.0}, "m1 must be positive"),
+        ({"l2": 0.0}, "l2 must be positive"),
+        ({"m1": 1e-300, "l1": 1e-300}, r"constant A is 0\.0"),
+        ({"l1": 1e200}, "constant A is inf"),
+    ],
+)
+def test_a_double_pendulum_out_of_range_is_refused(
+    parameters: dict[str, float], message: str
+) -> None:
+    with pytest.raises(ValueError, match=message):
+        DoublePendulum.rods(**parameters)
+
+
+def test_bodies_may_have_no_inertia_but_not_no_mass() -> None:
+    bob = DoublePendulum.bodies(1.0, 1.0, 1.0, 1.0, 1.0, 0.0, 0.0)
+    same = DoublePendulum.bobs()
+    assert bob.constants == same.constants
+    assert (bob.rhs([1.0, 2.0, 3.0, 4.0]) == same.rhs([1.0, 2.0, 3.0, 4.0])).all()
+    with pytest.raises(ValueError, match="m2 must be positive"):
+        DoublePendulum.bodies(1.0, 0.0, 1.0, 1.0, 1.0, 0.0, 0.0)
+
+
+@pytest.mark.parametrize(("degrees", "ratio"), PERIODS.items())
+def test_period_to_four_ulp(degrees: float, ratio: float) -> None:
+    system = SimplePendulum(length=1.0, gravity=1.0)  # ωn = 1: T = τ · ratio
+    got = system.period(math.radians(degrees)) / (2.0 * math.pi)
+    # the amplitude in radians is rounded: its half unit counts through dT/dθ0
+    step = math.ulp(math.radians(degrees))
+    slope = (
+        system.period(math.radians(degrees) + 1e-6) - system.period(math.radians(degrees) - 1e-6)
+    ) / 2e-6
+    slack = 0.5 * step * slope / (2.0 * math.pi)
+    assert abs(got - ratio) <= 4 * math.ulp(ratio) + slack
+
+
+def test_period_of_amplitudes_and_states() -> None:
+    system = SimplePendulum(0.7, 9.81)
+    wn = system.natural_frequency
+    assert system.period(0.0) == pytest.approx(2 * math.pi / wn, rel=1e-15)
+    assert system.period([0.1, -0.1]).tolist() == [system.period(0.1)] * 2
+    assert system.period(state=(0.3, 0.0)) == pytest.approx(system.period(0.3), rel=1e-15)
+    # the same libration seen at its lowest point: ω0 = 2 ωn sin(θ0/2)
+    assert system.period(state=(0.0, 2 * wn * math.sin(0.75))) == pytest.approx(
+        system.period(1.5), rel=1e-14
+    )
+    assert system.period(state=(0.0, 2 * wn)) == math.inf or system.period(state=(0.0, 2 * wn)) > 10
+    # fast rotation: a turn takes τ/ω0
+    assert system.period(state=(0.0, 1e6)) == pytest.approx(2 * math.pi / 1e6, rel=1e-9)
+    assert 0 < system.period(math.pi) < 100  # numpy.pi is not π
+    assert LinearPendulum(0.7, 9.81).period([0.1, 3.0]).tolist() == [2 * math.pi / wn] * 2
+
+
+def test_period_of_a_rotation_is_the_time_of_a_turn() -> None:
+    from scipy.integrate import quad
+
+    system, start = SimplePendulum(1.0, 9.81), (0.4, 8.0)
+    energy = start[1] ** 2 / 2 - 9.81 * math.cos(start[0])
+    turn, _ = quad(lambda x: 1 / math.sqrt(2 * (energy + 9.81 * math.cos(x))), 0, 2 * math.pi)
+    assert system.period(state=start) == pytest.approx(turn, rel=1e-9)
+
+
+@pytest.mark.parametrize("arguments", [{}, {"amplitude": 1.0, "state": (1.0, 0.0)}])
+def test_period_takes_one_of_two(arguments: dict[str, Any]) -> None:
+    with pytest.raises(ValueError, match="one of the two"):
+        SimplePendulum().period(**arguments)
+
+
+def test_period_of_more_than_a_half_turn_is_refused() -> None:
+    with pytest.raises(ValueError, match=r"amplitude must lie within .*got 3\.2; .*state="):
+        SimplePendulum().period(3.2)
+
+
+@every_system
+def test_the_rhs_and_energies_are_those_of_the_lagrangian(system: System) -> None:
+    """Euler-Lagrange by computer algebra, from the ends' positions and the bodies' inertia."""
+    random = np.random.default_rng(1)
+    states = random.uniform(-3, 3, (5, len(system.components)))
+    rhs, kinetic, potential = _lagrangian(system)
+    for state, slope, T, V in zip(
+        states,
+        system.rhs(states),
+        system.kinetic_energy(states),
+        system.potential_energy(states),
+        strict=True,
+    ):
+        np.testing.assert_allclose(slope, rhs(state), rtol=1e-11, atol=1e-11)
+        assert T == pytest.approx(kinetic(state), rel=1e-13)
+        assert V == pytest.approx(potential(state), rel=1e-13)
+    assert system.energy(states) == pytest.approx(
+        system.kinetic_energy(states) + system.potential_energy(states)
+    )
+
+
+def _lagrangian(system: System) -> Any:
+    """Functions of a state: its time derivative, kinetic and potential energy, from sympy."""
+    d = len(system.components) // 2
+    q = sp.symbols(f"q1:{d + 1}", real=True)
+    w = sp.symbols(f"w1:{d + 1}", real=True)
+    p = {name: sp.Rational(value) for name, value in system.parameters.items()}
+    if d == 1:
+        T = p["mass"] * (p["length"] * w[0]) ** 2 / 2
+        height = q[0] ** 2 / 2 if isinstance(system, LinearPendulum) else 1 - sp.cos(q[0])
+        V = p["mass"] * p["gravity"] * p["length"] * height
+    else:
+        T, V = _double_energies(system, p, q, w)
+    mass_matrix = sp.Matrix(d, d, lambda i, j: sp.diff(T, w[i], w[j]))
+    force = sp.Matrix(
+        [
+            sp.diff(T - V, q[i]) - sum(sp.diff(T, w[i], q[j]) * w[j] for j in range(d))
+            for i in range(d)
+        ]
+    )
+    slope = [*w, *mass_matrix.LUsolve(force)]  # type: ignore[no-untyped-call]
+    rhs, kinetic, potential = (sp.lambdify([*q, *w], each) for each in (slope, T, V))
+    return (lambda s: rhs(*s)), (lambda s: kinetic(*s)), (lambda s: potential(*s))
+
+
+def _double_energies(system: System, p: Any, q: Any, w: Any) -> Any:
+    c1, c2, I1, I2 = {
+        "rods": lambda: (
+            p["l1"] / 2,
+            p["l2"] / 2,
+            p["m1"] * p["l1"] ** 2 / 12,
+            p["m2"] * p["l2"] ** 2 / 12,
+        ),
+        "bobs": lambda: (p["l1"], p["l2"], 0, 0),
+        "bodies": lambda: (p["c1"], p["c2"], p["I1"], p["I2"]),
+    }[system.form]()
+    along = [sp.Matrix([sp.sin(a), -sp.cos(a)]) for a in q]
+    centres = [c1 * along[0], p["l1"] * along[0] + c2 * along[1]]
+    T = V = sp.Integer(0)
+    for centre, m, inertia, turning in zip(centres, (p["m1"], p["m2"]), (I1, I2), w, strict=True):
+        velocity = sum((centre.diff(a) * b for a, b in zip(q, w, strict=True)), sp.zeros(2, 1))
+        T += m * velocity.dot(velocity) / 2 + inertia * turning**2 / 2
+        V += m * p["gravity"] * (centre[1] - centre[1].subs(dict.fromkeys(q, 0)))
+    return T, V
+
+
+@every_system
+def test_positions_hang_down_from_the_origin(system: System) -> None:
+    d = len(system.components) // 2
+    lengths = [system.parameters[n] for n in (("length",) if d == 1 else ("l1", "l2"))]
+    rest = system.positions(np.zeros(2 * d))
+    np.testing.assert_allclose(rest, [[0, -sum(lengths[: i + 1])] for i in range(d)])
+    right = system.positions([*[math.pi / 2] * d, *[0.0] * d])
+    np.testing.assert_allclose(right, [[sum(lengths[: i + 1]), 0] for i in range(d)], atol=1e-15)
+    assert system.positions(np.zeros((3, 4, 2 * d))).shape == (3, 4, d, 2)
+
+
+@every_system
+@pytest.mark.parametrize("bad", [1.0, [1.0], [1.0, 2.0, 3.0], [math.nan] * 4, "abc"])
+def test_states_of_another_shape_are_refused(system: System, bad: Any) -> None:
+    with pytest.raises(ValueError, match="^state must"):
+        system.rhs(bad)
+
+
+def test_normal_modes_of_equal_rods() -> None:
+    """ω² l/g = 3 ∓ 6/√7."""
+    modes = DoublePendulum.rods(gravity=9.81).normal_modes()
+    for frequency, sign in zip(modes.frequencies, (-1, 1), strict=True):
+        assert frequency**2 / 9.81 == pytest.approx(3 + sign * 6 / math.sqrt(7), rel=1e-14)
+
+
+@pytest.mark.parametrize(
+    "system", [each for each in ALL if isinstance(each, DoublePendulum)], ids=repr
+)
+def test_normal_modes_solve_the_eigenproblem(system: DoublePendulum) -> None:
+    from scipy.linalg import eigh
+
+    c = system.constants
+    squares, _ = eigh(np.diag([c["D"], c["E"]]), [[c["A"], c["C"]], [c["C"], c["B"]]])
+    modes = system.normal_modes()
+    np.testing.assert_allclose(np.square(modes.frequencies), squares, rtol=1e-12)
+    for frequency, shape in zip(modes.frequencies, modes.shapes, strict=True):
+        assert math.hypot(*shape) == pytest.approx(1.0)
+        # a small push along the shape is accelerated by −ω² times itself
+        push = 1e-7 * np.array(shape)
+        np.testing.assert_allclose(
+            system.rhs([*push, 0, 0])[2:], -(frequency**2) * push, rtol=1e-6, atol=1e-17
+        )
+
+
+def test_an_unknown_system_is_refused() -> None:
+    with pytest.raises(
+        ValueError, match="system must be one of linear, simple, double; got 'triple'"
+    ):
+        system_from({"name": "triple", "form": "", "parameters": {}})
