@@ -197,13 +197,13 @@ def _lagrangian(system: System) -> Any:
             for i in range(d)
         ]
     )
-    slope = [*w, *mass_matrix.LUsolve(force)]  # type: ignore[no-untyped-call]
+    slope = [*w, *mass_matrix.LUsolve(force)]
     rhs, kinetic, potential = (sp.lambdify([*q, *w], each) for each in (slope, T, V))
     return (lambda s: rhs(*s)), (lambda s: kinetic(*s)), (lambda s: potential(*s))
 
 
 def _double_energies(system: System, p: Any, q: Any, w: Any) -> Any:
-    c1, c2, I1, I2 = {
+    c1, c2, I1, I2 = {  # type: ignore[no-untyped-call]
         "rods": lambda: (
             p["l1"] / 2,
             p["l2"] / 2,

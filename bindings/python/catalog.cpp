@@ -1,8 +1,8 @@
 // The catalogue as Python data: what exists, with names, units, ranges and sources.
+#include "pendula/catalog.hpp"
+
 #include <nanobind/nanobind.h>
 #include <nanobind/stl/string.h>
-
-#include "pendula/catalog.hpp"
 
 namespace nb = nanobind;
 using namespace nb::literals;
@@ -72,7 +72,8 @@ void bind_catalog(nb::module_& m) {
         pendula::for_each<pendula::systems>([&]<class Sys>() { rows.append(system_row<Sys>()); });
         return rows;
       },
-      nb::sig("def systems() -> list[dict[str, typing.Any]]"), "The catalogue's systems with the rows of their parameters.");
+      nb::sig("def systems() -> list[dict[str, typing.Any]]"),
+      "The catalogue's systems with the rows of their parameters.");
   m.def(
       "methods",
       [] {

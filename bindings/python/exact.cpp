@@ -16,10 +16,11 @@ using pendula::modulus;
 namespace {
 
 // Boost's default promotes to long double, which is slow and differs between machines; errors become values.
-using boost_policy = boost::math::policies::policy<
-    boost::math::policies::promote_double<false>, boost::math::policies::domain_error<boost::math::policies::errno_on_error>,
-    boost::math::policies::overflow_error<boost::math::policies::errno_on_error>,
-    boost::math::policies::evaluation_error<boost::math::policies::errno_on_error>>;
+using boost_policy =
+    boost::math::policies::policy<boost::math::policies::promote_double<false>,
+                                  boost::math::policies::domain_error<boost::math::policies::errno_on_error>,
+                                  boost::math::policies::overflow_error<boost::math::policies::errno_on_error>,
+                                  boost::math::policies::evaluation_error<boost::math::policies::errno_on_error>>;
 
 template <class Solution>
 array_out trajectory(const Solution& solution, const array_in& t) {
@@ -74,13 +75,15 @@ void bind_exact(nb::module_& m) {
       [](double length, double gravity, double theta0, double omega0, const array_in& t) {
         return trajectory(pendula::exact_linear(length, gravity, theta0, omega0), t);
       },
-      "length"_a, "gravity"_a, "theta0"_a, "omega0"_a, "t"_a, "States (n, 2) of the linear pendulum at times t after the start.");
+      "length"_a, "gravity"_a, "theta0"_a, "omega0"_a, "t"_a,
+      "States (n, 2) of the linear pendulum at times t after the start.");
   m.def(
       "exact_simple",
       [](double length, double gravity, double theta0, const array_in& t) {
         return trajectory(pendula::exact_simple(length, gravity, theta0), t);
       },
-      "length"_a, "gravity"_a, "theta0"_a, "t"_a, "States (n, 2) of the simple pendulum at times t after its release from rest.");
+      "length"_a, "gravity"_a, "theta0"_a, "t"_a,
+      "States (n, 2) of the simple pendulum at times t after its release from rest.");
   m.def(
       "elliptic_K",
       [](const array_in& k, const array_in& kc) {

@@ -31,7 +31,8 @@ struct run_arguments {
 template <class Method, class Sys>
 pendula::lane_result run(const Sys& system, const run_arguments& given, double* states) {
   typename Sys::state start;
-  if (given.state.size() != Sys::dimension) throw nb::value_error("another number of components than the system's state");
+  if (given.state.size() != Sys::dimension)
+    throw nb::value_error("another number of components than the system's state");
   std::ranges::copy(given.state, start.begin());
   const auto sink = [&](std::size_t i, const auto& y) { std::ranges::copy(y, states + i * Sys::dimension); };
   nb::gil_scoped_release released;
@@ -39,9 +40,10 @@ pendula::lane_result run(const Sys& system, const run_arguments& given, double* 
   return drive.through(given.outputs, sink, no_signal)[0];
 }
 
-// (times, states, outcome, steps): times (n,) and states (n, d) hold room for every output, of which `outputs` were reached.
-auto solve_fixed(const description& d, const std::string& method, const std::vector<double>& state, double t0, double step,
-                 std::int64_t step_limit, const array_in& times, bool own_steps) {
+// (times, states, outcome, steps): times (n,) and states (n, d) hold room for every output, of which `outputs` were
+// reached.
+auto solve_fixed(const description& d, const std::string& method, const std::vector<double>& state, double t0,
+                 double step, std::int64_t step_limit, const array_in& times, bool own_steps) {
   const auto plan = own_steps ? pendula::own_steps(t0, step, times.data()[0])
                               : pendula::requested_times(t0, step, {times.data(), times.shape(0)});
   new_array t({plan.outputs.size()}), states({plan.outputs.size(), state.size()});
@@ -60,8 +62,9 @@ auto solve_fixed(const description& d, const std::string& method, const std::vec
 }  // namespace
 
 void bind_solve(nb::module_& m) {
-  m.def("solve_fixed", &solve_fixed, "description"_a, "method"_a, "state"_a, "t0"_a, "step"_a, "step_limit"_a, "times"_a,
-        "own_steps"_a,
-        "Times, states, how many of both were reached, how the run ended, and steps taken. `step` is negative for a run "
-        "backward; with own_steps the one time is the end.");
+  m.def(
+      "solve_fixed", &solve_fixed, "description"_a, "method"_a, "state"_a, "t0"_a, "step"_a, "step_limit"_a, "times"_a,
+      "own_steps"_a,
+      "Times, states, how many of both were reached, how the run ended, and steps taken. `step` is negative for a run "
+      "backward; with own_steps the one time is the end.");
 }

@@ -16,7 +16,8 @@ template <class Write>
 void for_each_state(const description& d, const matrix_in& states, Write&& write) {
   with_system(d, [&](const auto& system) {
     using Sys = std::remove_cvref_t<decltype(system)>;
-    if (states.shape(1) != Sys::dimension) throw nb::value_error("another number of components than the system's state");
+    if (states.shape(1) != Sys::dimension)
+      throw nb::value_error("another number of components than the system's state");
     const double* from = states.data();
     const std::size_t rows = states.shape(0);
     nb::gil_scoped_release released;
@@ -72,6 +73,7 @@ void bind_systems(nb::module_& m) {
   m.def("rhs", &rhs, "description"_a, "states"_a, "Time derivative of each state, (n, d).");
   m.def("energies", &energies, "description"_a, "states"_a, "Kinetic and potential energy of each state [J].");
   m.def("positions", &positions, "description"_a, "states"_a, "Bob, or end of each rod, (n, d/2, 2) [m].");
-  m.def("constants", &constants, "description"_a, nb::sig("def constants(description: Description) -> dict[str, float]"),
+  m.def("constants", &constants, "description"_a,
+        nb::sig("def constants(description: Description) -> dict[str, float]"),
         "The constants that the equations of motion are written in.");
 }

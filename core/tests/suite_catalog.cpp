@@ -13,7 +13,8 @@ namespace {
 template <class Sys>
 std::vector<double> some_parameters(const form& f) {
   std::vector<double> p;
-  for (std::size_t i = 0; i < f.parameters.size(); ++i) p.push_back(f.parameters[i].name == "gravity" ? 9.81 : 0.7 + 0.13 * i);
+  for (std::size_t i = 0; i < f.parameters.size(); ++i)
+    p.push_back(f.parameters[i].name == "gravity" ? 9.81 : 0.7 + 0.13 * i);
   return p;
 }
 
@@ -54,7 +55,8 @@ BOOST_AUTO_TEST_CASE(every_method_converges_with_its_order) {
       const std::int64_t steps = Method::order == 1 ? 1 << 13 : Method::order == 2 ? 1 << 10 : 1 << 8;
       const double coarse = distance(at<Method>(system, start, 1.0, steps), truth);
       const double fine = distance(at<Method>(system, start, 1.0, 2 * steps), truth);
-      BOOST_TEST(std::fabs(std::log2(coarse / fine) - Method::order) < 0.1, Method::name << " " << std::log2(coarse / fine));
+      BOOST_TEST(std::fabs(std::log2(coarse / fine) - Method::order) < 0.1,
+                 Method::name << " " << std::log2(coarse / fine));
     });
   });
 }

@@ -33,13 +33,15 @@ BOOST_AUTO_TEST_CASE(K_from_a_tiny_complement) {  // K = ln(4/kc) + O(kc²), DLM
 
 BOOST_AUTO_TEST_CASE(K_by_its_series_converges_to_the_agm) {
   for (double k : {0.05, 0.3, 0.7, 0.95})
-    BOOST_TEST(in_epsilons(pendula::complete_elliptic_K_series(k, 100000), boost::math::ellint_1(k, policy())) < 20.0, k);
+    BOOST_TEST(in_epsilons(pendula::complete_elliptic_K_series(k, 100000), boost::math::ellint_1(k, policy())) < 20.0,
+               k);
   // one term is π/2, two terms π/2 (1 + k²/4)
   BOOST_TEST(pendula::complete_elliptic_K_series(0.6, 1) == std::numbers::pi / 2);
   BOOST_TEST(std::fabs(pendula::complete_elliptic_K_series(0.6, 2) - std::numbers::pi / 2 * 1.09) < 1e-15);
 }
 
-BOOST_AUTO_TEST_CASE(jacobi_functions_agree_with_boost) {  // which takes the modulus too; its dn loses digits where cn is small
+BOOST_AUTO_TEST_CASE(
+    jacobi_functions_agree_with_boost) {  // which takes the modulus too; its dn loses digits where cn is small
   for (double k : {0.0, 0.1, 0.5, 0.9, 0.999}) {
     for (double u = -30.0; u <= 30.0; u += 0.37) {
       const auto got = jacobi(modulus::from_k(k))(u);
@@ -55,8 +57,7 @@ BOOST_AUTO_TEST_CASE(jacobi_functions_agree_with_boost) {  // which takes the mo
 BOOST_AUTO_TEST_CASE(the_amplitude_counts_its_turns) {
   const auto m = modulus::from_k(0.8);
   const double K = pendula::complete_elliptic_K(m);
-  for (int n = -5; n <= 5; ++n)
-    BOOST_TEST(std::fabs(jacobi(m)(n * 2.0 * K).am - n * std::numbers::pi) < 1e-13, n);
+  for (int n = -5; n <= 5; ++n) BOOST_TEST(std::fabs(jacobi(m)(n * 2.0 * K).am - n * std::numbers::pi) < 1e-13, n);
 }
 
 BOOST_AUTO_TEST_CASE(at_modulus_one_they_are_hyperbolic) {

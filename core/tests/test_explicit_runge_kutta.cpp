@@ -29,7 +29,8 @@ int order_of(const pendula::butcher_tableau<s>& table) {
   };
   if (sum([](auto) { return rational(1); }) != rational(1)) return 0;
   if (sum([&](auto i) { return c[i]; }) != rational(1, 2)) return 1;
-  if (sum([&](auto i) { return c[i] * c[i]; }) != rational(1, 3) || sum([&](auto i) { return ac[i]; }) != rational(1, 6))
+  if (sum([&](auto i) { return c[i] * c[i]; }) != rational(1, 3) ||
+      sum([&](auto i) { return ac[i]; }) != rational(1, 6))
     return 2;
   if (sum([&](auto i) { return c[i] * c[i] * c[i]; }) != rational(1, 4) ||
       sum([&](auto i) { return c[i] * ac[i]; }) != rational(1, 8) ||
@@ -54,8 +55,8 @@ BOOST_AUTO_TEST_CASE(a_step_is_what_the_paper_writes) {
   const auto plus = [](std::array<double, 2> u, double c, std::array<double, 2> k) {
     return std::array<double, 2>{u[0] + c * k[0], u[1] + c * k[1]};
   };
-  const auto k1 = f(u0), euler = plus(u0, h, k1), w = f(euler);                // (52)
-  const auto heun = plus(plus(u0, h / 2, k1), h / 2, w);                       // (54) with its h
+  const auto k1 = f(u0), euler = plus(u0, h, k1), w = f(euler);  // (52)
+  const auto heun = plus(plus(u0, h / 2, k1), h / 2, w);         // (54) with its h
   const auto k2 = f(plus(u0, h / 2, k1)), k3 = f(plus(u0, h / 2, k2)), k4 = f(plus(u0, h, k3));
   const auto rk4 = plus(plus(plus(plus(u0, h / 6, k1), h / 3, k2), h / 3, k3), h / 6, k4);  // (56)
   for (int i = 0; i < 2; ++i) {

@@ -68,8 +68,8 @@ BOOST_AUTO_TEST_CASE(a_run_that_blows_up_says_so) {
   const double rods[] = {1, 1, 1, 1, 9.81};
   const auto system = double_pendulum::make<double>(0, rods);
   const fixed_output outputs[] = {{0, 0.0}, {1, 0.0}, {1000, 0.0}};
-  const auto result =
-      fixed_run<euler, double_pendulum::over<double>>(system, {2.0, 1.0, 0.0, 0.0}, 1.0, 10000).through(outputs, nowhere, always)[0];
+  const auto result = fixed_run<euler, double_pendulum::over<double>>(system, {2.0, 1.0, 0.0, 0.0}, 1.0, 10000)
+                          .through(outputs, nowhere, always)[0];
   BOOST_TEST(name_of(result.ended) == "not_finite");
   BOOST_TEST(result.outputs == 2u);
   BOOST_TEST(result.steps < 100);
@@ -79,8 +79,9 @@ BOOST_AUTO_TEST_CASE(a_run_can_be_interrupted) {
   const auto system = linear_pendulum::make<double>(0, unit);
   const fixed_output outputs[] = {{1, 0.0}, {1000000, 0.0}};
   int asked = 0;
-  const auto result =
-      fixed_run<rk4, harmonic>(system, {1.0, 0.0}, 1e-3, 10000000).through(outputs, nowhere, [&] { return ++asked < 3; })[0];
+  const auto result = fixed_run<rk4, harmonic>(system, {1.0, 0.0}, 1e-3, 10000000).through(outputs, nowhere, [&] {
+    return ++asked < 3;
+  })[0];
   BOOST_TEST(name_of(result.ended) == "interrupted");
   BOOST_TEST(result.steps == 3 * (1 << 14));
   BOOST_TEST(result.outputs == 1u);

@@ -1,5 +1,5 @@
-#include <boost/test/unit_test.hpp>
 #include <bit>
+#include <boost/test/unit_test.hpp>
 #include <cmath>
 
 #include "pendula/scalar/product.hpp"

@@ -6,14 +6,14 @@
 #include "truth.hpp"
 
 using pendula::largest_angle, pendula::sincos;
-using truth::number, truth::ulps;
+using truth::number, truth::ulps, truth::unit_in_last_place;
 
 namespace {
 
 void check(double x) {
   const auto [s, c] = sincos(x);
-  const auto within = [](double got, const number& want) {
-    return ulps(got, want) < pendula::sincos_ulps || abs(got - want) < pendula::sincos_absolute;
+  const auto within = [x](double got, const number& want) {
+    return ulps(got, want) < pendula::sincos_ulps + std::fabs(x) * pendula::sincos_of_angle / unit_in_last_place(want);
   };
   BOOST_TEST(within(s, sin(number(x))), "sine of " << x << " is off by " << ulps(s, sin(number(x))) << " ulp");
   BOOST_TEST(within(c, cos(number(x))), "cosine of " << x << " is off by " << ulps(c, cos(number(x))) << " ulp");

@@ -9,12 +9,15 @@ namespace truth {
 
 using number = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<60>, boost::multiprecision::et_off>;
 
-// |got − want| in units of the last place of the double nearest to want.
+// The distance between doubles next to a number.
+inline double unit_in_last_place(const number& x) {
+  const double nearest = std::fabs(x.convert_to<double>());
+  return nearest == 0.0 ? std::numeric_limits<double>::denorm_min() : std::ldexp(1.0, std::ilogb(nearest) - 52);
+}
+
+// |got − want| in those units.
 inline double ulps(double got, const number& want) {
-  const double nearest = std::fabs(want.convert_to<double>());
-  const double unit = nearest == 0.0 ? std::numeric_limits<double>::denorm_min()
-                                     : std::ldexp(1.0, std::ilogb(nearest) - 52);
-  return abs((number(got) - want) / unit).convert_to<double>();
+  return abs((number(got) - want) / unit_in_last_place(want)).convert_to<double>();
 }
 
 }  // namespace truth

@@ -38,9 +38,13 @@ bool with(std::string_view name, Visitor&& visit) {
 
 namespace detail {
 template <class... Entries>
-constexpr bool all_systems(std::type_identity<std::tuple<Entries...>>) { return (System<Entries> && ...); }
+constexpr bool all_systems(std::type_identity<std::tuple<Entries...>>) {
+  return (System<Entries> && ...);
+}
 template <class... Entries>
-constexpr bool all_methods(std::type_identity<std::tuple<Entries...>>) { return (Method<Entries> && ...); }
+constexpr bool all_methods(std::type_identity<std::tuple<Entries...>>) {
+  return (Method<Entries> && ...);
+}
 }  // namespace detail
 static_assert(detail::all_systems(std::type_identity<systems>{}));
 static_assert(detail::all_methods(std::type_identity<methods>{}));

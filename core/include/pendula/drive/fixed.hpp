@@ -17,7 +17,7 @@ struct fixed_output {
   double rest;
 };
 
-inline constexpr double on_grid = 1e-9;      // of a step: nearer outputs are taken to lie on the grid
+inline constexpr double on_grid = 1e-9;       // of a step: nearer outputs are taken to lie on the grid
 inline constexpr double most_steps = 0x1p53;  // whole numbers are exact up to here
 
 // Where time t lies on the grid of steps h (negative: backward) from t0. |t − t0| / |h| must not pass most_steps.

@@ -10,10 +10,14 @@ enum class outcome : std::uint8_t { reached_end, step_limit, not_finite, interru
 
 constexpr std::string_view name_of(outcome o) {
   switch (o) {
-    case outcome::reached_end: return "reached_end";
-    case outcome::step_limit: return "step_limit";
-    case outcome::not_finite: return "not_finite";
-    case outcome::interrupted: return "interrupted";
+    case outcome::reached_end:
+      return "reached_end";
+    case outcome::step_limit:
+      return "step_limit";
+    case outcome::not_finite:
+      return "not_finite";
+    case outcome::interrupted:
+      return "interrupted";
   }
   return "";
 }

@@ -38,9 +38,7 @@ struct agm_scale {
 
 // K = π / (2 AGM(1, kc)), DLMF 19.8.5.
 inline double complete_elliptic_K(const agm_scale& scale) { return 0.5 * std::numbers::pi / scale.limit(); }
-inline double complete_elliptic_K(modulus m) {
-  return m.kc == 0.0 ? INFINITY : complete_elliptic_K(agm_scale(m));
-}
+inline double complete_elliptic_K(modulus m) { return m.kc == 0.0 ? INFINITY : complete_elliptic_K(agm_scale(m)); }
 
 // The first terms of K = (π/2) Σ [(2n)!/(2^{2n}(n!)²)]² k^{2n}, each from the one before: Herrera et al. (2024),
 // eq. 26; DLMF 19.5.1.

@@ -5,8 +5,11 @@
 
 namespace pendula {
 
-inline constexpr butcher_tableau<1> euler_tableau{
-    .name = "euler", .order = 1, .a = {}, .b = {{{1}}}, .source = "Euler, Institutionum calculi integralis (1768), §650"};
+inline constexpr butcher_tableau<1> euler_tableau{.name = "euler",
+                                                  .order = 1,
+                                                  .a = {},
+                                                  .b = {{{1}}},
+                                                  .source = "Euler, Institutionum calculi integralis (1768), §650"};
 using euler = explicit_runge_kutta<euler_tableau>;
 
 }  // namespace pendula

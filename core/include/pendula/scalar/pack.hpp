@@ -52,15 +52,21 @@ struct lanes<pack<T, W>> {
 
 PENDULA_INLINE double lane(double x, int) { return x; }
 template <class T, int W>
-PENDULA_INLINE T lane(const pack<T, W>& x, int i) { return x[i]; }
+PENDULA_INLINE T lane(const pack<T, W>& x, int i) {
+  return x[i];
+}
 
 PENDULA_INLINE void set_lane(double& x, int, double value) { x = value; }
 template <class T, int W>
-PENDULA_INLINE void set_lane(pack<T, W>& x, int i, T value) { x.set(i, value); }
+PENDULA_INLINE void set_lane(pack<T, W>& x, int i, T value) {
+  x.set(i, value);
+}
 
 PENDULA_INLINE bool equal(double a, double b) { return a == b; }
 template <class T, int W>
-PENDULA_INLINE auto equal(pack<T, W> a, pack<T, W> b) { return a.v == b.v; }
+PENDULA_INLINE auto equal(pack<T, W> a, pack<T, W> b) {
+  return a.v == b.v;
+}
 
 // Masks: a bool, or 64-bit integers with all bits set where true.
 template <class M>
@@ -76,12 +82,16 @@ PENDULA_INLINE bool all_lanes(M mask) {
 
 PENDULA_INLINE bool lane_of(bool m, int) { return m; }
 template <LaneMask M>
-PENDULA_INLINE bool lane_of(M mask, int i) { return mask[i] != 0; }
+PENDULA_INLINE bool lane_of(M mask, int i) {
+  return mask[i] != 0;
+}
 
 // Bit patterns, for signs and quadrants without branches.
 PENDULA_INLINE std::int64_t bits(double x) { return std::bit_cast<std::int64_t>(x); }
 template <class T, int W>
-PENDULA_INLINE auto bits(pack<T, W> x) { return (typename pack<T, W>::integers)x.v; }
+PENDULA_INLINE auto bits(pack<T, W> x) {
+  return (typename pack<T, W>::integers)x.v;
+}
 
 template <class S>
 PENDULA_INLINE S from_bits(decltype(bits(S(0.0))) pattern) {
@@ -92,12 +102,12 @@ PENDULA_INLINE S from_bits(decltype(bits(S(0.0))) pattern) {
   }
 }
 
-// True where every component is neither infinite nor NaN: x − x is 0 for those alone.
+// True where every component is neither infinite nor NaN (nor so large that their sum is): x − x is 0 for those alone.
 template <class S, std::size_t d>
 PENDULA_INLINE auto finite(const vec<S, d>& y) {
-  S sum = y[0] - y[0];
-  for (std::size_t i = 1; i < d; ++i) sum = sum + (y[i] - y[i]);
-  return equal(sum, S(0.0));
+  S sum = y[0];
+  for (std::size_t i = 1; i < d; ++i) sum = sum + y[i];
+  return equal(sum - sum, S(0.0));
 }
 
 }  // namespace pendula

@@ -16,17 +16,20 @@ namespace pendula {
 struct double_pendulum {
   static constexpr std::string_view name = "double";
   static constexpr std::array components{
-      component{"theta1", "rad", 2.0943951023931953, "angle of rod 1 from the downward vertical, counter-clockwise"},  // 120°
-      component{"theta2", "rad", -0.17453292519943295, "angle of rod 2 from the downward vertical"},                   // −10°
+      component{"theta1", "rad", 2.0943951023931957,
+                "angle of rod 1 from the downward vertical, counter-clockwise"},                      // 120°
+      component{"theta2", "rad", -0.17453292519943295, "angle of rod 2 from the downward vertical"},  // −10°
       component{"omega1", "rad/s", 0.0, "angular velocity of rod 1"},
       component{"omega2", "rad/s", 0.0, "angular velocity of rod 2"}};
 
-  static constexpr std::array rods{
-      parameter{"m1", "kg", 1.0, false, "mass of rod 1"}, parameter{"m2", "kg", 1.0, false, "mass of rod 2"},
-      parameter{"l1", "m", 1.0, false, "length of rod 1"}, parameter{"l2", "m", 1.0, false, "length of rod 2"}, gravity_row};
-  static constexpr std::array bobs{
-      parameter{"m1", "kg", 1.0, false, "mass of bob 1"}, parameter{"m2", "kg", 1.0, false, "mass of bob 2"},
-      parameter{"l1", "m", 1.0, false, "length of rod 1"}, parameter{"l2", "m", 1.0, false, "length of rod 2"}, gravity_row};
+  static constexpr std::array rods{parameter{"m1", "kg", 1.0, false, "mass of rod 1"},
+                                   parameter{"m2", "kg", 1.0, false, "mass of rod 2"},
+                                   parameter{"l1", "m", 1.0, false, "length of rod 1"},
+                                   parameter{"l2", "m", 1.0, false, "length of rod 2"}, gravity_row};
+  static constexpr std::array bobs{parameter{"m1", "kg", 1.0, false, "mass of bob 1"},
+                                   parameter{"m2", "kg", 1.0, false, "mass of bob 2"},
+                                   parameter{"l1", "m", 1.0, false, "length of rod 1"},
+                                   parameter{"l2", "m", 1.0, false, "length of rod 2"}, gravity_row};
   static constexpr std::array bodies{
       parameter{"m1", "kg", to_be_named, false, "mass of body 1"},
       parameter{"m2", "kg", to_be_named, false, "mass of body 2"},
@@ -37,7 +40,8 @@ struct double_pendulum {
       parameter{"I2", "kg m^2", to_be_named, true, "moment of inertia of body 2 about its centre of mass"},
       gravity_row,
       parameter{"l2", "m", to_be_named, true, "length of body 2, for drawing only (default: c2)"}};
-  static constexpr std::array forms{form{"rods", "two uniform rods", rods}, form{"bobs", "two bobs on massless rods", bobs},
+  static constexpr std::array forms{form{"rods", "two uniform rods", rods},
+                                    form{"bobs", "two bobs on massless rods", bobs},
                                     form{"bodies", "two rigid bodies", bodies}};
 
   template <class S>
@@ -47,19 +51,20 @@ struct double_pendulum {
     using state = vec<S, dimension>;
 
     S A, B, C, D, E;
-    S l1, l2;                                                // drawn, not in the equations
+    S l1, l2;                                                  // drawn, not in the equations
     S determinant_floor = difference_of_products(A, B, C, C);  // A B − C², the mass matrix' least determinant
 
     PENDULA_INLINE state rhs(const state& y) const {
-      const auto [s1, c1] = sincos(y[0]);
-      const auto [s2, c2] = sincos(y[1]);
+      const auto [first, second] = sincos(y[0], y[1]);
+      const auto [s1, c1] = first;
+      const auto [s2, c2] = second;
       // sin δ and cos δ from the sines at hand: a third pair of polynomials would cost a third of the step
       const S sin_delta = s1 * c2 - c1 * s2, cos_delta = c1 * c2 + s1 * s2;
       const S coupling = C * cos_delta, turning = C * sin_delta;
-      const S r1 = -(turning * (y[3] * y[3])) - D * s1;
-      const S r2 = turning * (y[2] * y[2]) - E * s2;
+      const S drop1 = D * s1 + turning * (y[3] * y[3]),
+              drop2 = E * s2 - turning * (y[2] * y[2]);                    // less the right sides
       const S inverse = S(1.0) / (determinant_floor + turning * turning);  // A B − C² cos² δ, without cancellation
-      return {y[2], y[3], (B * r1 - coupling * r2) * inverse, (A * r2 - coupling * r1) * inverse};
+      return {y[2], y[3], (coupling * drop2 - B * drop1) * inverse, (coupling * drop1 - A * drop2) * inverse};
     }
 
     S kinetic_energy(const state& y) const {
@@ -68,7 +73,13 @@ struct double_pendulum {
     }
     S potential_energy(const state& y) const { return D * one_minus_cos(y[0]) + E * one_minus_cos(y[1]); }
     std::array<constant<S>, 7> constants() const {
-      return {{{"A", A}, {"B", B}, {"C", C}, {"D", D}, {"E", E}, {"determinant_floor", determinant_floor}, {"energy_scale", D + E}}};
+      return {{{"A", A},
+               {"B", B},
+               {"C", C},
+               {"D", D},
+               {"E", E},
+               {"determinant_floor", determinant_floor},
+               {"energy_scale", D + E}}};
     }
 
     std::array<vec<S, 2>, 2> positions(const state& y) const {
@@ -85,14 +96,25 @@ struct double_pendulum {
     const S m1 = p[0], m2 = p[1], l1 = p[2];
     if (form == 2) {
       const S c1 = p[3], c2 = p[4], gravity = p[7];
-      return {p[5] + m1 * c1 * c1 + m2 * l1 * l1, p[6] + m2 * c2 * c2, m2 * l1 * c2, (m1 * c1 + m2 * l1) * gravity,
-              m2 * c2 * gravity, l1, p[8]};
+      return {p[5] + m1 * c1 * c1 + m2 * l1 * l1,
+              p[6] + m2 * c2 * c2,
+              m2 * l1 * c2,
+              (m1 * c1 + m2 * l1) * gravity,
+              m2 * c2 * gravity,
+              l1,
+              p[8]};
     }
     const S l2 = p[3], gravity = p[4];
-    if (form == 1) return {(m1 + m2) * l1 * l1, m2 * l2 * l2, m2 * l1 * l2, (m1 + m2) * gravity * l1, m2 * gravity * l2, l1, l2};
+    if (form == 1)
+      return {(m1 + m2) * l1 * l1, m2 * l2 * l2, m2 * l1 * l2, (m1 + m2) * gravity * l1, m2 * gravity * l2, l1, l2};
     const S half(0.5), third_m1 = m1 / S(3.0), third_m2 = m2 / S(3.0);
-    return {(third_m1 + m2) * l1 * l1, third_m2 * l2 * l2,  half * m2 * l1 * l2, (half * m1 + m2) * gravity * l1,
-            half * m2 * gravity * l2,  l1, l2};
+    return {(third_m1 + m2) * l1 * l1,
+            third_m2 * l2 * l2,
+            half * m2 * l1 * l2,
+            (half * m1 + m2) * gravity * l1,
+            half * m2 * gravity * l2,
+            l1,
+            l2};
   }
 };
 

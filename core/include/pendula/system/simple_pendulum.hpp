@@ -9,7 +9,7 @@ namespace pendula {
 struct simple_pendulum {
   static constexpr std::string_view name = "simple";
   static constexpr std::array components{
-      component{"theta", "rad", 0.5235987755982988, "angle from the downward vertical, counter-clockwise"},  // 30°
+      component{"theta", "rad", 0.5235987755982989, "angle from the downward vertical, counter-clockwise"},  // 30°
       component{"omega", "rad/s", 0.0, "angular velocity"}};
   static constexpr std::array parameters{parameter{"length", "m", 1.0, false, "length from pivot to bob"}, gravity_row,
                                          parameter{"mass", "kg", 1.0, false, "mass of the bob"}};

@@ -1,0 +1,1 @@
+"""Benchmarks: each figure beside its peers in the same run. `make bench` prints them."""

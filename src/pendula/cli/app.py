@@ -1,0 +1,77 @@
+"""The command, and how it ends: an error is one line on stderr and an exit code."""
+
+from __future__ import annotations
+
+import io
+import os
+import sys
+from typing import TYPE_CHECKING
+
+import click
+
+from pendula import __version__
+from pendula._checks import MissingExtraError
+from pendula.cli import exact, methods, period, solve, study
+from pendula.cli.groups import ChoiceGroup
+from pendula.cli.wording import one_line
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+FAILED, WRONG_USE = 1, 2
+BAD_PATH = (
+    FileExistsError,
+    FileNotFoundError,
+    IsADirectoryError,
+    NotADirectoryError,
+    PermissionError,
+)
+
+
+@click.group(
+    cls=ChoiceGroup,
+    kind="command",
+    epilog="Quantities take units: 50cm, 30deg, 9.81m/s^2; a bare number is in SI units.",
+)
+@click.version_option(__version__, message="pendula %(version)s")
+def _pendula() -> None:
+    """A laboratory for the simple and the double pendulum."""
+
+
+for module in (solve, exact, period, methods, study):
+    _pendula.add_command(module.command)
+
+
+def run(arguments: Sequence[str] | None) -> int:
+    """Run the command and return its exit code; Ctrl-C is left to the caller."""
+    given = list(sys.argv[1:] if arguments is None else arguments) or ["--help"]
+    if isinstance(sys.stdout, io.TextIOWrapper):
+        sys.stdout.reconfigure(errors="replace")  # an ASCII terminal gets "?" for "§"
+    try:
+        with _pendula.make_context("pendula", given) as context:
+            _pendula.invoke(context)
+        sys.stdout.flush()
+    except click.exceptions.Exit as end:
+        return end.exit_code
+    except BrokenPipeError:  # the reader has seen enough, as `head` does
+        _end_output()
+        return 0
+    except (click.ClickException, MissingExtraError, ValueError, OSError, MemoryError) as error:
+        print(f"pendula: {one_line(error)}", file=sys.stderr)
+        _end_output()
+        return _exit_code(error)
+    return 0
+
+
+def _exit_code(error: Exception) -> int:
+    if isinstance(error, click.ClickException):
+        return error.exit_code
+    return WRONG_USE if isinstance(error, (ValueError, *BAD_PATH)) else FAILED
+
+
+def _end_output() -> None:
+    """Drop what a closed pipe or a full disk did not take, or it would fail again at the exit."""
+    try:
+        sys.stdout.flush()
+    except OSError:
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())

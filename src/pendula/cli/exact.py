@@ -1,0 +1,68 @@
+"""`pendula exact`: a motion in closed form."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from pendula.cli.groups import one_angle, one_each
+from pendula.cli.options import start_of, start_options, system_of, system_options, value
+from pendula.cli.run import (
+    check_count,
+    deliver,
+    file_options,
+    seconds,
+    spaced,
+    spacing,
+    span_of,
+    start_time,
+    target,
+)
+
+if TYPE_CHECKING:
+    import click
+    import numpy as np
+    from numpy.typing import NDArray
+
+    from pendula._engine import SystemEntry
+
+_INTERVALS = 500  # where no spacing is named
+
+
+def _options(entry: SystemEntry) -> list[click.Parameter]:
+    return [
+        *system_options(entry),
+        *start_options(entry),
+        start_time(),
+        value("at", "times, such as 1s,2s, in any order"),
+        value("until", "instead: time of the end"),
+        value("every", f"with --until: time between outputs [a {_INTERVALS}th of the span]"),
+        *file_options(),
+    ]
+
+
+def _exact(entry: SystemEntry, **given: Any) -> None:
+    from pendula.solving import exact
+
+    system, start = system_of(entry, given), start_of(entry, given)
+    t0 = seconds(given["t0"], "--t0")
+    out = target(given["out"], force=given["force"])
+    run = exact(system, start, _times(t0, given), t0=t0)
+    deliver(run, out, force=given["force"], every_row=given["at"] is not None)
+
+
+def _times(t0: float, given: dict[str, Any]) -> list[float] | NDArray[np.float64]:
+    from pendula.units import quantities
+
+    at, until, every = given["at"], given["until"], given["every"]
+    if (at is None) == (until is None) or (at is not None and every is not None):
+        raise ValueError("name the times with --at 1s,2s or with --until 10s [--every 10ms]")
+    if at is not None:
+        return quantities(at, "s", "--at")
+    end = seconds(until, "--until")
+    span = span_of(t0, end)
+    apart = span / _INTERVALS if every is None else spacing(every, span)
+    check_count(span, apart, "--every")
+    return spaced(t0, end, apart)
+
+
+command = one_each("exact", "Solve a motion in closed form.", one_angle(), _options, _exact)

@@ -1,0 +1,27 @@
+"""`pendula methods`: the catalogue's methods."""
+
+from __future__ import annotations
+
+import click
+
+from pendula import _engine
+from pendula.cli.tables import table
+
+
+@click.command("methods")
+def command() -> None:
+    """List the methods that `solve` takes."""
+    header = ("name", "order", "evaluations/step", "step", "symplectic", "systems", "source")
+    rows = [
+        (
+            each.name,
+            str(each.order),
+            str(each.evaluations_per_step),
+            "adaptive" if each.adaptive else "fixed",
+            "yes" if each.symplectic else "no",
+            ",".join(each.systems),
+            each.source,
+        )
+        for each in _engine.methods()
+    ]
+    click.echo(table(header, rows))

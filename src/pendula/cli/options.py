@@ -1,0 +1,122 @@
+"""Options from the catalogue's rows, and the system and the start that they describe."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING, Any
+
+import click
+
+if TYPE_CHECKING:
+    from pendula._engine import Component, Form, Parameter, SystemEntry
+    from pendula.systems import System
+
+    Given = dict[str, Any]
+
+
+def value(name: str, help: str, *, required: bool = False) -> click.Option:
+    """An option that takes a quantity."""
+    return click.Option(
+        [name.replace("-", "_"), f"--{name}"], metavar="VALUE", help=help, required=required
+    )
+
+
+def system_options(entry: SystemEntry) -> list[click.Parameter]:
+    """The form, where there are several, and the parameters of all forms."""
+    flags = [
+        click.Option(
+            [_flag(form), f"--{form.name}"],
+            is_flag=True,
+            help=form.meaning + (" (taken if no other is named)" if form is entry.forms[0] else ""),
+        )
+        for form in entry.forms
+        if len(entry.forms) > 1
+    ]
+    names = dict.fromkeys(row.name for form in entry.forms for row in form.parameters)
+    return [*flags, *(value(name, _explained(entry, name)) for name in names)]
+
+
+def start_options(entry: SystemEntry) -> list[click.Parameter]:
+    """The components of the state at the start."""
+    return [value(row.name, f"{row.meaning} {_standard(row)}") for row in entry.components]
+
+
+def system_of(entry: SystemEntry, given: Given) -> System:
+    """The system that the options describe.
+
+    Raises:
+        ValueError: for parameters of another form, missing ones, or values out of range.
+    """
+    from pendula.systems import system_from
+    from pendula.units import quantity
+
+    form = _form(entry, given)
+    rows = {row.name: row for row in form.parameters}
+    for other in (row.name for each in entry.forms for row in each.parameters):
+        if given[other] is not None and other not in rows:
+            raise ValueError(_not_of_form(entry, form, other))
+    missing = [f"--{row.name}" for row in form.parameters if _needed(row) and not given[row.name]]
+    if missing:
+        raise ValueError(f"--{form.name} needs {', '.join(missing)} too")
+    values = {
+        name: quantity(given[name], row.unit, f"--{name}")
+        for name, row in rows.items()
+        if given[name] is not None
+    }
+    return system_from({"name": entry.name, "form": form.name, "parameters": values})
+
+
+def start_of(entry: SystemEntry, given: Given) -> list[float]:
+    """The state at the start."""
+    from pendula.units import quantity
+
+    return [
+        row.standard
+        if given[row.name] is None
+        else quantity(given[row.name], row.unit, f"--{row.name}")
+        for row in entry.components
+    ]
+
+
+def _form(entry: SystemEntry, given: Given) -> Form:
+    chosen = [form for form in entry.forms if given.get(_flag(form))]
+    if len(chosen) > 1:
+        names = " and ".join(f"--{form.name}" for form in chosen)
+        raise ValueError(f"{names} exclude one another; name one of them")
+    return chosen[0] if chosen else entry.forms[0]
+
+
+def _flag(form: Form) -> str:
+    return f"as_{form.name}"
+
+
+def _not_of_form(entry: SystemEntry, form: Form, name: str) -> str:
+    takers = [each for each in entry.forms if name in (row.name for row in each.parameters)]
+    own = ", ".join(f"--{row.name}" for row in form.parameters)
+    those = " or ".join(f"--{each.name}" for each in takers)
+    return f"--{name} goes with {those}; --{form.name} takes {own}"
+
+
+def _needed(row: Parameter) -> bool:
+    """Whether a value has to be named; a row without a standard may tell its default in words."""
+    return row.standard is None and "default:" not in row.meaning
+
+
+def _explained(entry: SystemEntry, name: str) -> str:
+    """The meaning of a parameter, form by form where it differs."""
+    told: dict[str, list[str]] = {}
+    for form in entry.forms:
+        for row in form.parameters:
+            if row.name == name:
+                told.setdefault(f"{row.meaning} {_standard(row)}".strip(), []).append(form.name)
+    if sum(map(len, told.values())) == len(entry.forms) and len(told) == 1:
+        return next(iter(told))
+    return "; ".join(f"{', '.join(forms)}: {text}" for text, forms in told.items())
+
+
+def _standard(row: Parameter | Component) -> str:
+    if row.standard is None:
+        return "[needed]" if _needed(row) else ""
+    if row.unit == "rad":
+        return f"[{math.degrees(row.standard):g} deg]"
+    return f"[{row.standard:g} {row.unit}]"

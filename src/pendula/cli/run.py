@@ -1,0 +1,150 @@
+"""What `solve` and `exact` share: the times of the outputs, the file, and how a run ends."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import click
+
+from pendula.cli.options import value
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+    import numpy as np
+    from numpy.typing import NDArray
+
+    from pendula.trajectory import Trajectory
+
+    Array = NDArray[np.float64]
+
+_ON_GRID = 1e-9  # of a spacing: an end nearer to the grid lies on it
+_WHY = {
+    "not_finite": "the numbers grew beyond all bounds; take a smaller --step or a higher order",
+}
+
+
+def start_time() -> click.Option:
+    """The option --t0."""
+    return value("t0", "time of the start [0 s]")
+
+
+def file_options() -> list[click.Parameter]:
+    """The options for the file to write."""
+    return [
+        click.Option(
+            ["out", "-o", "--output"],
+            type=click.Path(),
+            metavar="FILE",
+            help="write all outputs to a .csv, .nc, .parquet or .zarr file; print none",
+        ),
+        click.Option(["--force"], is_flag=True, help="replace the file if it exists"),
+    ]
+
+
+def seconds(text: str | None, name: str, standard: float = 0.0) -> float:
+    """The value of an option that takes a time."""
+    from pendula.units import quantity
+
+    return standard if text is None else quantity(text, "s", name)
+
+
+def spacing(text: str, span: float) -> float:
+    """The value of --every, within the span of the run."""
+    from pendula._checks import positive_number
+
+    every = positive_number("--every", seconds(text, "--every"), "s")
+    if every > span:
+        raise ValueError(
+            f"--every must not exceed the span of {span!r} s from --t0 to --until, got {every!r} s"
+        )
+    return every
+
+
+def span_of(t0: float, until: float) -> float:
+    """The time between start and end, which must not be zero."""
+    if until == t0:
+        raise ValueError(f"--until must differ from --t0 = {t0!r} s, got {until!r} s")
+    return abs(until - t0)
+
+
+def check_count(span: float, every: float, name: str) -> None:
+    """Refuse a run with more outputs than memory has room for.
+
+    Raises:
+        ValueError: naming the option whose value is too small.
+    """
+    from pendula.solving import MOST_OUTPUTS
+
+    if span / every > MOST_OUTPUTS:
+        raise ValueError(
+            f"{name} must give at most {MOST_OUTPUTS} outputs, got {every!r} s for "
+            f"{span / every:.3g}; name more time between them with --every"
+        )
+
+
+def spaced(t0: float, until: float, every: float) -> Array:
+    """Times from t0 to until, `every` apart; the last gap is shorter where it does not divide."""
+    from fractions import Fraction
+
+    import numpy as np
+
+    span = abs(until - t0)
+    numbers = np.arange(int(span / every + _ON_GRID) + 1)
+    ratio = Fraction(every).limit_denominator(10**9)  # 7 × 10 ms is 0.07 s, not 0.07000000000000001
+    exact = float(ratio) == every and int(numbers[-1]) * ratio.numerator < 2**53
+    if exact:
+        elapsed: Array = np.divide(numbers * ratio.numerator, ratio.denominator)
+    else:
+        elapsed = np.multiply(numbers, every)
+    if span - elapsed[-1] > _ON_GRID * every:
+        elapsed = np.append(elapsed, span)
+    times = t0 + elapsed if until > t0 else t0 - elapsed
+    times[-1] = until
+    return times
+
+
+def target(out: str | None, *, force: bool) -> Path | None:
+    """The file to write; says before a long run what would go wrong at its end.
+
+    Raises:
+        ValueError: for an unknown ending.
+        OSError: where the file exists without --force, or cannot be written.
+    """
+    if out is None:
+        return None
+    from pathlib import Path
+
+    from pendula.io import files
+    from pendula.io.writing import refuse_existing
+
+    path = Path(out)
+    if path.suffix.lower() not in files.FORMATS:
+        raise ValueError(f"-o: the name must end in {', '.join(files.FORMATS)}, got {out!r}")
+    refuse_existing(path, overwrite=force)
+    return path
+
+
+def check_outcome(run: Trajectory, until: float) -> None:
+    """Refuse a run that stopped before its end.
+
+    Raises:
+        click.ClickException: saying when, why, and what to do.
+    """
+    if run.outcome != "reached_end":
+        last = f"{run.t[-1]:.6g}" if run.t.size else f"{run.request.t0:g}"
+        raise click.ClickException(
+            f"{run.method} stopped after t = {last} s of {until:g} s "
+            f"with step {run.request.step:g} s: {_WHY.get(run.outcome, run.outcome)}"
+        )
+
+
+def deliver(run: Trajectory, out: Path | None, *, force: bool, every_row: bool = False) -> None:
+    """Write a run, or print some of its rows."""
+    from pendula.cli.tables import show, summary
+
+    if out is None:
+        show(run, every_row=every_row)
+        return
+    run.save(out, overwrite=force)
+    click.echo(f"{out}: {len(run.t)} times; {summary(run)}")

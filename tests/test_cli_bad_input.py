@@ -1,0 +1,200 @@
+"""Wrong use and failed runs: the exit code, exactly one line on stderr, and no file left."""
+
+from __future__ import annotations
+
+import errno
+import os
+import signal
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import pytest
+
+from pendula._engine import methods
+from pendula.cli import main
+from pendula.io import files
+
+if TYPE_CHECKING:
+    from pendula.trajectory import Trajectory
+
+SOLVE = "solve simple --method rk4 --step 1ms --until 1s"
+DOUBLE = "solve double --method rk4 --step 1ms --until 1s"
+BLOW_UP = "solve double --method euler --step 1s --until 1000s"
+EXISTING = "there.csv"
+
+
+@pytest.fixture(autouse=True)
+def _folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    Path(EXISTING).write_text("kept")
+
+
+def told(arguments: list[str], code: int, capsys: pytest.CaptureFixture[str]) -> str:
+    """The one line on stderr of a run that must fail and leave nothing behind."""
+    before = {path: path.read_text() for path in Path().iterdir()}
+    assert main(arguments) == code
+    printed = capsys.readouterr()
+    assert printed.out == ""
+    assert printed.err.count("\n") == 1
+    assert printed.err.startswith("pendula: ")
+    assert {path: path.read_text() for path in Path().iterdir()} == before
+    return printed.err
+
+
+@pytest.mark.parametrize(
+    ("line", "message"),
+    [
+        (f"{SOLVE} --length -50cm", "--length must be positive [m], got -0.5"),
+        (f"{SOLVE} --length 0", "--length must be positive [m], got 0.0"),
+        (f"{SOLVE} --length nan", "--length must be a finite number [m], got 'nan'"),
+        (f"{SOLVE} --theta inf", "--theta must be a finite number [rad], got 'inf'"),
+        (f"{SOLVE} --length 0,5m", "--length: write 0.5m; a comma separates"),
+        (f"{SOLVE} --step 0,5ms", "--step: write 0.5ms; a comma separates"),
+        (f"{SOLVE} --every 0,1", "--every: write 0.1; a comma separates"),
+        (
+            f"{SOLVE} --length 30deg",
+            "--length must be in m or a unit of the same kind, got '30deg'",
+        ),
+        (f"{SOLVE} --length 5quux", "--length has the unknown unit 'quux'"),
+        (f"{SOLVE} --length", "'--length' requires an argument"),
+        (f"{SOLVE} --length 50 cm", "a value with spaces needs quotes"),
+        (f"{SOLVE} --lenght 1", "Did you mean '--length'?"),
+        (f"{SOLVE} --length 1e-308 --gravity 1e308", "cannot be computed with"),
+        (f"{SOLVE} --step 0", "--step must be positive [s], got 0.0"),
+        (f"{SOLVE} --step -1ms", "--step must be positive [s], got -0.001"),
+        (f"{SOLVE} --step 2s", "--step must not exceed the span of 1.0 s"),
+        (f"{SOLVE} --step 1e-300", "--step must be larger for a span of 1.0 s, got 1e-300 s"),
+        (f"{SOLVE} --step 1e-12 -o x.csv", "--step must give at most 100000000 outputs"),
+        (f"{SOLVE} --until 0", "--until must differ from --t0 = 0.0 s"),
+        (f"{SOLVE} --every 2s", "--every must not exceed the span of 1.0 s"),
+        (f"{SOLVE} --every 0s", "--every must be positive [s], got 0.0"),
+        (f"{SOLVE} --every 1e-12", "--every must give at most 100000000 outputs"),
+        (f"{SOLVE} --method rk5", ", ".join(repr(each.name) for each in methods())),
+        ("solve simple --step 1ms --until 1s", "Missing option '--method'"),
+        (f"{SOLVE} -o no/such/x.csv", "cannot write no/such/x.csv"),
+        (f"{SOLVE} -o {EXISTING}/x.csv", f"cannot write {EXISTING}/x.csv"),
+        (f"{SOLVE} -o {EXISTING}", f"{EXISTING} exists; choose another name"),
+        (f"{SOLVE} -o x.txt", "the name must end in .csv, .nc, .parquet, .zarr, got 'x.txt'"),
+        (f"{DOUBLE} --c1 5cm", "--c1 goes with --bodies; --rods takes --m1, --m2, --l1, --l2, --g"),
+        (f"{DOUBLE} --bodies --c1 5cm", "--bodies needs --m1, --m2, --l1, --c2, --I1, --I2 too"),
+        (f"{DOUBLE} --bodies --bobs", "--bobs and --bodies exclude one another"),
+        ("solve", "name a system: linear, simple, double"),
+        ("solve triple", "no system 'triple'; take one of linear, simple, double"),
+        ("slove", "no command 'slove'; take one of solve, exact, period, methods, study"),
+        ("exact double --at 1s", "no system 'double'; take one of linear, simple"),
+        ("exact simple", "name the times with --at 1s,2s or with --until"),
+        ("exact simple --at 1s --until 2s", "name the times with --at 1s,2s or with --until"),
+        ("exact simple --at 1s --every 1s", "name the times with --at 1s,2s or with --until"),
+        ("exact simple --at 0,5", "or 0.5 for one value with a decimal point"),
+        ("exact simple --at 1s --omega 1", "the start must be a release from rest"),
+        ("period simple", "Missing option '--amplitude'"),
+        ("period simple --amplitude 30,60deg", "'30' in the list '30,60deg' has no unit"),
+        ("period simple --amplitude 200deg", "--amplitude must lie within [-pi, pi] [rad]"),
+        ("study", "Missing option '--out'"),
+        (f"study --out {EXISTING}", f"{EXISTING} exists"),
+        (f"study --out {EXISTING}/x/y", f"cannot write {EXISTING}/x/y"),
+        ("study no.toml --out x", "'no.toml' does not exist"),
+        ("study --out x --lang fr", "'fr' is not one of 'en', 'es'"),
+    ],
+)
+def test_wrong_use_is_told_in_one_line(
+    line: str, message: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    printed = told(line.split(), 2, capsys)
+    assert message in printed
+    for python in ("numpy", "linspace", "state=", "t=", "use solve"):
+        assert python not in printed
+
+
+@pytest.mark.parametrize("line", [f"{SOLVE} -o {EXISTING}", f"study --out {EXISTING}"])
+def test_an_existing_result_is_told_with_the_way_out(
+    line: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert "--force" in told(line.split(), 2, capsys)
+
+
+def test_a_bad_output_is_told_before_the_run(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("pendula.solving.solve", lambda *_, **__: pytest.fail("it ran"))
+    told(f"{SOLVE} -o {EXISTING}".split(), 2, capsys)
+
+
+@pytest.mark.parametrize(
+    ("recipe", "message"),
+    [
+        ('[simple]\nlength = "50 cm"\nlenght = "60 cm"\n', "broken.toml, line 3: "),
+        ('[simple]\n\n\nlength = "-50 cm"\n', "broken.toml, line 4: "),
+        ('[simple]\nlength = "0,5 m"\n', "broken.toml, line 2: simple.length: write 0.5 m;"),
+        ("[simple]\nlength = \n", "broken.toml, line 2: "),
+    ],
+)
+def test_a_broken_recipe_is_told_with_its_line(
+    recipe: str, message: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    Path("broken.toml").write_text(recipe)
+    assert message in told(["study", "broken.toml", "--out", "x"], 2, capsys)
+
+
+@pytest.mark.parametrize("output", ["", " -o x.csv", " --every 10s -o x.csv"])
+def test_a_run_that_blows_up_says_when_and_leaves_no_file(
+    output: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    printed = told(f"{BLOW_UP}{output}".split(), 1, capsys)
+    assert "euler stopped after t = " in printed
+    assert " of 1000 s with step 1 s: the numbers grew beyond all bounds" in printed
+    assert "take a smaller --step" in printed
+
+
+def test_a_missing_extra_is_told_with_what_to_install(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setitem(sys.modules, "pyarrow", None)
+    printed = told(f"{SOLVE} -o x.parquet".split(), 1, capsys)
+    assert 'pyarrow is not installed; run: pip install "pendula[io]"' in printed
+
+
+@pytest.mark.parametrize(
+    ("failure", "message"),
+    [
+        (OSError(errno.ENOSPC, "No space left on device"), "No space left on device"),
+        (OSError(errno.EIO, "Input/output error", "x.csv"), "x.csv: Input/output error"),
+        (MemoryError(), "not enough memory; ask for fewer outputs with a larger --every"),
+    ],
+)
+def test_a_failure_while_writing_leaves_no_file(
+    failure: Exception,
+    message: str,
+    capsys: pytest.CaptureFixture[str],
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    def half(run: Trajectory, attributes: str, path: Path) -> None:
+        path.write_text("half")
+        raise failure
+
+    monkeypatch.setitem(files.FORMATS, ".csv", (half, files.FORMATS[".csv"][1]))
+    assert f"pendula: {message}\n" == told(f"{SOLVE} -o x.csv".split(), 1, capsys)
+
+
+def test_ctrl_c_while_writing_leaves_no_file(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def half(run: Trajectory, attributes: str, path: Path) -> None:
+        path.write_text("half")
+        os.kill(os.getpid(), signal.SIGINT)
+
+    monkeypatch.setitem(files.FORMATS, ".csv", (half, files.FORMATS[".csv"][1]))
+    usual = signal.getsignal(signal.SIGINT)
+    assert told(f"{SOLVE} -o x.csv".split(), 130, capsys) == "pendula: interrupted\n"
+    assert signal.getsignal(signal.SIGINT) is usual
+
+
+def test_a_study_that_breaks_down_is_told_in_one_line(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def run_study(*_: object, **__: object) -> Path:
+        raise RuntimeError("the reference run broke down at t = 1 s")
+
+    monkeypatch.setattr("pendula.study.run_study", run_study)
+    assert "the reference run broke down" in told(["study", "--out", "x"], 1, capsys)

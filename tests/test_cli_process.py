@@ -1,0 +1,92 @@
+"""The command as a process: what it loads, Ctrl-C, closed pipes and full disks."""
+
+from __future__ import annotations
+
+import os
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+
+COMMAND = (sys.executable, "-m", "pendula")
+HEAVY = ("numpy", "matplotlib", "rich", "pint", "xarray", "pandas")
+
+
+@pytest.mark.parametrize("line", ["", "solve double --help", "study --help", "--version"])
+def test_help_loads_nothing_heavy(line: str) -> None:
+    code = (
+        "import sys; before = set(sys.modules)\n"
+        "from pendula.cli import main\n"
+        f"assert main({line.split()!r}) == 0\n"
+        f"loaded = (set(sys.modules) - before) & set({HEAVY!r})\n"
+        "assert not loaded, loaded\n"
+    )
+    subprocess.run([sys.executable, "-c", code], check=True, stdout=subprocess.DEVNULL)
+
+
+def test_methods_and_errors_load_no_numpy() -> None:
+    code = (
+        "import sys; from pendula.cli import main\n"
+        "assert main(['methods']) == 0\n"
+        "assert main(['solve', 'simple', '--lenght', '1']) == 2\n"
+        "assert 'numpy' not in sys.modules\n"
+    )
+    subprocess.run([sys.executable, "-c", code], check=True, capture_output=True)
+
+
+def test_ctrl_c_ends_a_long_run_without_a_file(tmp_path: Path) -> None:
+    code = (
+        "import sys; from pendula.cli import main\n"
+        "print('ready', flush=True); sys.exit(main(sys.argv[1:]))"
+    )
+    line = "solve double --method rk4 --step 1e-8 --until 1000s --every 1s -o x.csv"
+    with subprocess.Popen(
+        [sys.executable, "-c", code, *line.split()],
+        cwd=tmp_path,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+    ) as process:
+        assert process.stdout is not None
+        assert process.stdout.readline() == "ready\n"
+        time.sleep(0.7)  # by now it is in the loop, which would take an hour
+        process.send_signal(signal.SIGINT)
+        printed, told = process.communicate(timeout=20)
+    assert process.returncode == 130
+    assert (printed, told) == ("", "pendula: interrupted\n")
+    assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize("line", ["methods", "--help", "exact simple --until 1s"])
+def test_a_closed_pipe_is_no_error(line: str) -> None:
+    reading, writing = os.pipe()
+    os.close(reading)
+    process = subprocess.run(
+        [*COMMAND, *line.split()], stdout=writing, stderr=subprocess.PIPE, text=True, check=False
+    )
+    os.close(writing)
+    assert (process.returncode, process.stderr) == (0, "")
+
+
+@pytest.mark.skipif(not Path("/dev/full").exists(), reason="no /dev/full here")
+def test_a_full_disk_below_stdout_is_told_in_one_line() -> None:
+    with Path("/dev/full").open("w") as full:
+        process = subprocess.run(
+            [*COMMAND, "methods"], stdout=full, stderr=subprocess.PIPE, text=True, check=False
+        )
+    assert (process.returncode, process.stderr) == (1, "pendula: No space left on device\n")
+
+
+@pytest.mark.parametrize(("encoding", "drawn"), [("utf-8", True), ("latin-1", False)])
+def test_a_curve_is_drawn_where_it_can_be_printed(encoding: str, drawn: bool) -> None:
+    process = subprocess.run(
+        [*COMMAND, *["exact", "simple", "--until", "1s"]],
+        env={**os.environ, "PYTHONIOENCODING": encoding},
+        capture_output=True,
+        check=True,
+    )
+    assert ("│" in process.stdout.decode(encoding)) is drawn
+    assert b"\x1b" not in process.stdout

@@ -1,0 +1,195 @@
+"""Quantities: every usual spelling, rounded once, and one clear line for what is none."""
+
+from __future__ import annotations
+
+import math
+import subprocess
+import sys
+from fractions import Fraction
+
+import mpmath
+import pytest
+from hypothesis import assume, given
+from hypothesis import strategies as st
+
+from pendula.units import EVERYDAY, PI, looked_up, quantities, quantity
+
+finite = st.floats(allow_nan=False, allow_infinity=False)
+
+
+@pytest.mark.parametrize(
+    ("text", "unit", "value"),
+    [
+        ("0.3", "m", 0.3),
+        ("70cm", "m", 0.7),
+        ("50 cm", "m", 0.5),
+        (" 50 cm ", "m", 0.5),
+        ("1.5E1mm", "m", 0.015),
+        (".5m", "m", 0.5),
+        ("3 inch", "m", 0.0762),
+        ("3ft", "m", 0.9144),
+        ("1ms", "s", 0.001),
+        ("1e-3 s", "s", 0.001),
+        ("5 µs", "s", 5e-6),
+        ("5 μs", "s", 5e-6),
+        ("2 min", "s", 120.0),
+        ("500 g", "kg", 0.5),
+        ("9.81 m/s^2", "m/s^2", 9.81),
+        ("9.81 m/s²", "m/s^2", 9.81),
+        ("9.81m/s2", "m/s^2", 9.81),
+        ("9.81 m·s⁻²", "m/s^2", 9.81),
+        ("9.81 m s**-2", "m/s^2", 9.81),
+        ("981 cm/s/s", "m/s^2", 9.81),
+        ("1 standard_gravity", "m/s^2", 9.80665),
+        ("0.1 kg m^2", "kg m^2", 0.1),
+        ("1 g*cm²", "kg m^2", 1e-7),
+        ("1 N m s^2", "kg m^2", 1.0),
+        ("2 rad", "rad", 2.0),
+        ("180deg", "rad", math.pi),
+        ("120°", "rad", float(PI * 2 / 3)),
+        ("120º", "rad", float(PI * 2 / 3)),
+        ("90 degrees", "rad", math.pi / 2),
+        ("1 turn", "rad", math.tau),
+        ("0.5 pi", "rad", math.pi / 2),
+        ("0.5π rad", "rad", math.pi / 2),
+        ("-10deg", "rad", -float(PI / 18)),
+        ("−10°", "rad", -float(PI / 18)),
+        ("+1", "rad/s", 1.0),
+        ("180 °/s", "rad/s", math.pi),
+        ("30 rpm", "rad/s", math.pi),
+        ("3", "", 3.0),
+        ("0e9999 m", "m", 0.0),
+        ("1e-320 mm", "m", 1e-323),
+    ],
+)
+def test_usual_spellings_have_their_value_to_the_last_bit(
+    text: str, unit: str, value: float
+) -> None:
+    assert quantity(text, unit, "--x") == value
+
+
+@pytest.mark.parametrize(
+    ("text", "unit", "told"),
+    [
+        ("0,5m", "m", "--x: write 0.5m; a comma separates entries of a list"),
+        ("-0,5", "m", "--x: write -0.5; a comma"),
+        ("1s,2s", "s", "--x takes one value, got '1s,2s'"),
+        ("1,000.5m", "m", "--x takes one value"),
+        ("", "m", "--x must be one quantity, got ''; write 50cm, say"),
+        ("  ", "s", "--x must be one quantity"),
+        ("1" * 101, "m", "--x must be one quantity"),
+        ("nan", "m", "--x must be a finite number [m], got 'nan'"),
+        ("-inf s", "s", "--x must be a finite number [s], got '-inf s'"),
+        ("Infinity", "", "--x must be a finite number, got"),
+        ("abc", "m", "--x must begin with a number, got 'abc'"),
+        ("30deg", "m", "--x must be in m or a unit of the same kind, got '30deg'; write 50cm"),
+        ("5 Hz", "rad/s", "--x must be in rad/s"),
+        ("1 g", "m/s^2", "--x must be in m/s^2"),
+        ("5 degC", "m", "--x must be in m"),
+        ("5m", "", "--x must be a number without a unit, got '5m'; write 0.5"),
+        ("5cmm", "m", "--x has the unknown unit 'cmm' in '5cmm'; did you mean mm or cm?"),
+        ("5 DEG", "rad", "did you mean deg or degree?"),
+        ("5 quux", "m", "--x has the unknown unit 'quux' in '5 quux'; write 50cm, say"),
+        ("5 percent", "rad", "--x has the unknown unit 'percent'"),
+        ("1e400m", "m", "--x must not be beyond the largest number"),
+        ("1e308km", "m", "--x must not be beyond the largest number"),
+        ("1e-400", "m", "--x must not be nearer to zero than the smallest number"),
+        ("1e-323 mm", "m", "--x must not be nearer to zero"),
+        ("1e999999999999", "m", "--x must not be beyond the largest number"),
+        ("1 000 m", "m", "--x must be one number and one unit, got '1 000 m'"),
+        ("5ft3in", "m", "--x must be one number and one unit"),
+        ("2**9", "m", "--x must be one number and one unit"),
+        ("1 m**9**9**9", "m", "--x must be one number and one unit"),
+        ("1 cm^99999999", "m", "--x must be one number and one unit"),
+        ("1 __import__('os')", "m", "--x has the unknown unit '__import__'"),
+    ],
+)
+def test_what_is_no_quantity_is_told_in_one_line(text: str, unit: str, told: str) -> None:
+    with pytest.raises(ValueError, match="--x") as error:
+        quantity(text, unit, "--x")
+    assert told in str(error.value)
+    assert "\n" not in str(error.value)
+
+
+@pytest.mark.parametrize(
+    ("text", "values"),
+    [
+        ("30deg,60deg", [float(PI / 6), float(PI / 3)]),
+        ("1rad, 180°", [1.0, math.pi]),
+        ("0.5", [0.5]),
+    ],
+)
+def test_entries_of_a_list_carry_their_units(text: str, values: list[float]) -> None:
+    assert quantities(text, "rad", "--x") == values
+
+
+@pytest.mark.parametrize(
+    ("text", "told"),
+    [
+        ("30,60deg", "'30' in the list '30,60deg' has no unit, each entry carries its own"),
+        ("30,60deg", "write 30deg,60deg, or 30.60deg for one value with a decimal point"),
+        ("0,5rad", "or 0.5rad for one value with a decimal point"),
+        ("0,5", "write 0rad,5rad, or 0.5 for one value with a decimal point"),
+        ("30deg,60", "write 30deg,60deg"),
+        ("1,2,3deg", "write 1deg,2deg,3deg"),
+        ("1rad,,2rad", "has an empty entry between commas"),
+        ("1rad,", "has an empty entry between commas"),
+        ("1rad,2m", "must be in rad or a unit of the same kind, got '2m'"),
+    ],
+)
+def test_a_list_with_a_bare_entry_is_refused(text: str, told: str) -> None:
+    with pytest.raises(ValueError, match="--x") as error:
+        quantities(text, "rad", "--x")
+    assert told in str(error.value)
+
+
+def test_plain_numbers_need_no_unit_in_a_list() -> None:
+    assert quantities("1,2.5", "", "--x") == [1.0, 2.5]
+
+
+@pytest.mark.parametrize("name", [name for name in EVERYDAY if name != "º"])
+def test_the_everyday_units_are_those_of_pint(name: str) -> None:
+    factor, base = EVERYDAY[name]
+    assert looked_up(name) == (factor, {base: 1})
+
+
+def test_pi_has_fifty_decimals() -> None:
+    with mpmath.workdps(60):
+        assert abs(mpmath.mpf(PI.numerator) / PI.denominator - mpmath.pi) < mpmath.mpf("1e-50")
+
+
+@given(finite, st.sampled_from(["m", "s", "rad", "rad/s", "kg", "m/s^2", "kg m^2", ""]))
+def test_a_printed_number_comes_back(value: float, unit: str) -> None:
+    assert quantity(f"{value!r} {unit}", unit, "--x") == value
+    assert quantity(repr(value), unit, "--x") == value
+
+
+@given(finite, st.sampled_from(sorted(EVERYDAY)))
+def test_the_value_is_rounded_once(value: float, name: str) -> None:
+    factor, unit = EVERYDAY[name]
+    exact = Fraction(repr(value)) * factor
+    assume(value == 0.0 or 1e-300 < abs(exact) < 1e300)
+    assert quantity(f"{value!r}{name}", unit, "--x") == float(exact)
+
+
+@given(st.text(alphabet="0123456789.,eE+-*/^ mscradegkπ°²()_n", max_size=15))
+def test_any_text_gives_a_finite_number_or_one_line(text: str) -> None:
+    told = ""
+    values = [0.0]
+    try:
+        values = quantities(text, "m", "--x")
+        values.append(quantity(text, "m", "--x"))
+    except ValueError as error:
+        told = str(error)
+    assert all(map(math.isfinite, values))
+    assert not told or (told.startswith("--x") and "\n" not in told)
+
+
+def test_everyday_units_do_not_load_pint() -> None:
+    code = (
+        "import sys; from pendula.units import quantity; "
+        "quantity('3', 'kg', 'x'); quantity('50 cm', 'm', 'x'); quantity('9m/s²', 'm/s^2', 'x'); "
+        "assert 'pint' not in sys.modules; "
+        "quantity('3 inch', 'm', 'x'); assert 'pint' in sys.modules"
+    )
+    subprocess.run([sys.executable, "-c", code], check=True)
