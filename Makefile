@@ -29,7 +29,7 @@ help:
 	@touch $@
 
 .venv/installed: .venv/packages pyproject.toml $(COMPILED)
-	PATH="$(BIN):$$PATH" CMAKE_BUILD_PARALLEL_LEVEL=$(CORES) $(UV) pip install -q --no-build-isolation --no-deps -e .
+	PATH="$(BIN):$$PATH" CMAKE_BUILD_PARALLEL_LEVEL=$(CORES) SKBUILD_CMAKE_DEFINE=PENDULA_STRICT=ON $(UV) pip install -q --no-build-isolation --no-deps -e .
 	@touch $@
 
 .venv/bench: requirements-bench.lock .venv/installed
@@ -46,7 +46,7 @@ test: test-core test-python
 
 test-core: .venv/installed
 	@$(BIN)/cmake -S . -B build/core -G Ninja -DCMAKE_MAKE_PROGRAM=$(BIN)/ninja -DPython_EXECUTABLE=$(BIN)/python \
-	  -DPENDULA_PYTHON=OFF -DPENDULA_TESTS=ON >build/core.log || { cat build/core.log; exit 1; }
+	  -DPENDULA_PYTHON=OFF -DPENDULA_TESTS=ON -DPENDULA_STRICT=ON >build/core.log || { cat build/core.log; exit 1; }
 	@$(BIN)/cmake --build build/core --parallel $(CORES) >build/core.log || { cat build/core.log; exit 1; }
 	$(BIN)/ctest --test-dir build/core --output-on-failure --parallel $(CORES)
 

@@ -75,7 +75,7 @@ def told(arguments: list[str], code: int, capsys: pytest.CaptureFixture[str]) ->
         (f"{SOLVE} -o no/such/x.csv", "cannot write no/such/x.csv"),
         (f"{SOLVE} -o {EXISTING}/x.csv", f"cannot write {EXISTING}/x.csv"),
         (f"{SOLVE} -o {EXISTING}", f"{EXISTING} exists; choose another name"),
-        (f"{SOLVE} -o x.txt", "the name must end in .csv, .nc, .parquet, .zarr, got 'x.txt'"),
+        (f"{SOLVE} -o x.txt", "the file name must end in .csv, .nc, .parquet, .zarr, got 'x.txt'"),
         (f"{DOUBLE} --c1 5cm", "--c1 goes with --bodies; --rods takes --m1, --m2, --l1, --l2, --g"),
         (f"{DOUBLE} --bodies --c1 5cm", "--bodies needs --m1, --m2, --l1, --c2, --I1, --I2 too"),
         (f"{DOUBLE} --bodies --bobs", "--bobs and --bodies exclude one another"),

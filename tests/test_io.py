@@ -130,6 +130,15 @@ def test_an_unwritable_path_is_named(tmp_path: Path) -> None:
         RUNS["linear"]().save(tmp_path / "file" / "run.csv")
 
 
+def test_a_folder_does_not_become_a_file(tmp_path: Path) -> None:
+    (tmp_path / "run.csv").mkdir()
+    (tmp_path / "run.zarr").write_text("kept", encoding="utf-8")
+    for name in ("run.csv", "run.zarr"):
+        with pytest.raises(FileExistsError, match="choose another name"):
+            RUNS["linear"]().save(tmp_path / name, overwrite=True)
+    assert sorted(each.name for each in tmp_path.iterdir()) == ["run.csv", "run.zarr"]
+
+
 @pytest.mark.parametrize("folder", [False, True])
 def test_a_failed_write_leaves_what_was_there(folder: bool, tmp_path: Path) -> None:
     target = tmp_path / "result"

@@ -43,6 +43,15 @@ def test_the_stub_is_what_the_extension_says(tmp_path: Path) -> None:
     assert made.read_text(encoding="utf-8") == committed, "run: make stubs"
 
 
+def test_only_the_engine_sees_the_compiled_core() -> None:
+    seeing = {
+        path.name
+        for path in SOURCE.rglob("*.py")
+        if "_core" in path.read_text(encoding="utf-8").replace("_core.pyi", "")
+    }
+    assert seeing == {"_engine.py"}
+
+
 def test_an_unknown_name_is_an_attribute_error() -> None:
     with pytest.raises(AttributeError, match="no attribute 'penduli'"):
         pendula.penduli  # noqa: B018

@@ -20,6 +20,7 @@ nb::list parameter_rows(const pendula::form& form) {
     row["standard"] = p.standard;
     row["zero_allowed"] = p.zero_allowed;
     row["meaning"] = text(p.meaning);
+    row["same_as"] = text(p.same_as);
     rows.append(row);
   }
   return rows;

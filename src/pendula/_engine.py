@@ -23,13 +23,23 @@ Description = _core.Description
 
 @dataclass(frozen=True)
 class Parameter:
-    """A parameter of a system: name, SI unit, range and meaning."""
+    """A parameter of a system: name, SI unit, range and meaning.
+
+    Where none is named it takes its standard value, or that of the parameter `same_as` names;
+    with neither it is needed.
+    """
 
     name: str
     unit: str
     standard: float | None
     zero_allowed: bool
     meaning: str
+    same_as: str
+
+    @property
+    def needed(self) -> bool:
+        """Whether a value has to be named."""
+        return self.standard is None and not self.same_as
 
 
 @dataclass(frozen=True)

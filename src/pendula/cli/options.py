@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 if TYPE_CHECKING:
-    from pendula._engine import Component, Form, Parameter, SystemEntry
+    from pendula._engine import Form, Parameter, SystemEntry
     from pendula.systems import System
 
     Given = dict[str, Any]
@@ -38,7 +38,10 @@ def system_options(entry: SystemEntry) -> list[click.Parameter]:
 
 def start_options(entry: SystemEntry) -> list[click.Parameter]:
     """The components of the state at the start."""
-    return [value(row.name, f"{row.meaning} {_standard(row)}") for row in entry.components]
+    return [
+        value(row.name, f"{row.meaning} {_standard(row.standard, row.unit)}")
+        for row in entry.components
+    ]
 
 
 def system_of(entry: SystemEntry, given: Given) -> System:
@@ -55,7 +58,7 @@ def system_of(entry: SystemEntry, given: Given) -> System:
     for other in (row.name for each in entry.forms for row in each.parameters):
         if given[other] is not None and other not in rows:
             raise ValueError(_not_of_form(entry, form, other))
-    missing = [f"--{row.name}" for row in form.parameters if _needed(row) and not given[row.name]]
+    missing = [f"--{row.name}" for row in form.parameters if row.needed and not given[row.name]]
     if missing:
         raise ValueError(f"--{form.name} needs {', '.join(missing)} too")
     values = {
@@ -97,26 +100,25 @@ def _not_of_form(entry: SystemEntry, form: Form, name: str) -> str:
     return f"--{name} goes with {those}; --{form.name} takes {own}"
 
 
-def _needed(row: Parameter) -> bool:
-    """Whether a value has to be named; a row without a standard may tell its default in words."""
-    return row.standard is None and "default:" not in row.meaning
-
-
 def _explained(entry: SystemEntry, name: str) -> str:
     """The meaning of a parameter, form by form where it differs."""
     told: dict[str, list[str]] = {}
     for form in entry.forms:
         for row in form.parameters:
             if row.name == name:
-                told.setdefault(f"{row.meaning} {_standard(row)}".strip(), []).append(form.name)
+                told.setdefault(f"{row.meaning} {_default(row)}", []).append(form.name)
     if sum(map(len, told.values())) == len(entry.forms) and len(told) == 1:
         return next(iter(told))
     return "; ".join(f"{', '.join(forms)}: {text}" for text, forms in told.items())
 
 
-def _standard(row: Parameter | Component) -> str:
+def _default(row: Parameter) -> str:
     if row.standard is None:
-        return "[needed]" if _needed(row) else ""
-    if row.unit == "rad":
-        return f"[{math.degrees(row.standard):g} deg]"
-    return f"[{row.standard:g} {row.unit}]"
+        return f"[that of {row.same_as}]" if row.same_as else "[needed]"
+    return _standard(row.standard, row.unit)
+
+
+def _standard(standard: float, unit: str) -> str:
+    if unit == "rad":
+        return f"[{math.degrees(standard):g} deg]"
+    return f"[{standard:g} {unit}]"

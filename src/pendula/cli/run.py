@@ -115,13 +115,10 @@ def target(out: str | None, *, force: bool) -> Path | None:
         return None
     from pathlib import Path
 
-    from pendula.io import files
-    from pendula.io.writing import refuse_existing
+    from pendula.io import check_target
 
     path = Path(out)
-    if path.suffix.lower() not in files.FORMATS:
-        raise ValueError(f"-o: the name must end in {', '.join(files.FORMATS)}, got {out!r}")
-    refuse_existing(path, overwrite=force)
+    check_target(path, overwrite=force)
     return path
 
 

@@ -5,18 +5,18 @@ from __future__ import annotations
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from pendula._checks import one_of
+from pendula._checks import extra, one_of
 from pendula.io import files
 from pendula.io.recipe import attributes, from_attributes
 from pendula.io.tables import to_pandas, to_xarray
-from pendula.io.writing import replacing
+from pendula.io.writing import refuse_existing, replacing
 
 if TYPE_CHECKING:
     from os import PathLike
 
     from pendula.trajectory import Trajectory
 
-__all__ = ["load", "rerun", "save", "to_pandas", "to_xarray"]
+__all__ = ["check_target", "load", "rerun", "save", "to_pandas", "to_xarray"]
 
 
 def save(trajectory: Trajectory, path: str | PathLike[str], *, overwrite: bool = False) -> None:
@@ -33,6 +33,19 @@ def save(trajectory: Trajectory, path: str | PathLike[str], *, overwrite: bool =
     write, _ = files.FORMATS[_ending(target)]
     with replacing(target, overwrite=overwrite) as unfinished:
         write(trajectory, attributes(trajectory), unfinished)
+
+
+def check_target(path: str | PathLike[str], *, overwrite: bool = False) -> None:
+    """Say before a long run what would keep `save` from writing its result.
+
+    Raises:
+        ValueError, FileExistsError, OSError: as for `save`.
+        MissingExtraError: where the format's packages are not installed.
+    """
+    target = Path(path)
+    for package in files.packages(_ending(target)):
+        extra(package, "io")
+    refuse_existing(target, overwrite=overwrite)
 
 
 def load(path: str | PathLike[str]) -> Trajectory:

@@ -25,6 +25,16 @@ MARK = "# pendula: "  # before the attributes, in the first line of a CSV file
 KEY = "pendula"
 
 
+def packages(ending: str) -> tuple[str, ...]:
+    """What reading and writing files of that ending needs beyond the base install."""
+    return {
+        ".csv": (),
+        ".nc": ("xarray", "h5netcdf"),
+        ".parquet": ("pandas", "pyarrow"),
+        ".zarr": ("xarray", "zarr"),
+    }[ending]
+
+
 def _write_csv(trajectory: Trajectory, attributes: str, path: Path) -> None:
     one_motion(trajectory, "a .csv file")
     table = columns(trajectory)

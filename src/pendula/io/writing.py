@@ -36,6 +36,9 @@ def replacing(target: Path, *, overwrite: bool) -> Iterator[Path]:
     unfinished = target.with_name(f".{target.stem}.{os.getpid()}.unfinished{target.suffix}")
     try:
         yield unfinished
+        if target.exists() and target.is_dir() != unfinished.is_dir():
+            kind = "folder" if target.is_dir() else "file"
+            raise FileExistsError(f"{target} exists and is a {kind}; choose another name")
         if target.is_dir():
             _swap(unfinished, target)
         else:

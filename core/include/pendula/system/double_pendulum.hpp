@@ -39,7 +39,7 @@ struct double_pendulum {
       parameter{"I1", "kg m^2", to_be_named, true, "moment of inertia of body 1 about its centre of mass"},
       parameter{"I2", "kg m^2", to_be_named, true, "moment of inertia of body 2 about its centre of mass"},
       gravity_row,
-      parameter{"l2", "m", to_be_named, true, "length of body 2, for drawing only (default: c2)"}};
+      parameter{"l2", "m", to_be_named, true, "length of body 2, for drawing only", "c2"}};
   static constexpr std::array forms{form{"rods", "two uniform rods", rods},
                                     form{"bobs", "two bobs on massless rods", bobs},
                                     form{"bodies", "two rigid bodies", bodies}};

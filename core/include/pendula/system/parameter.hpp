@@ -8,10 +8,11 @@ namespace pendula {
 
 struct parameter {
   std::string_view name;
-  std::string_view unit;     // SI
-  double standard;           // taken where the user names none; NaN: has to be named
-  bool zero_allowed;         // every parameter is finite; it is positive, or at least not negative
-  std::string_view meaning;  // one phrase, lower case
+  std::string_view unit;          // SI
+  double standard;                // taken where the user names none; NaN: has to be named
+  bool zero_allowed;              // every parameter is finite; it is positive, or at least not negative
+  std::string_view meaning;       // one phrase, lower case
+  std::string_view same_as = {};  // where it is not named it takes this parameter's value
 };
 
 // One way to describe a system.
