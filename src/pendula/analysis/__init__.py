@@ -1,0 +1,18 @@
+"""Measures of runs: how wrong, of what order, until when. Trajectories or arrays in, arrays out."""
+
+from pendula.analysis.convergence import ConvergenceOrder, convergence_order
+from pendula.analysis.difference import angle_difference, parting_time
+from pendula.analysis.elliptic_cost import agm_iterations, series_terms
+from pendula.analysis.linear_model import linear_model_error, period_limit, small_angle_limit
+
+__all__ = [
+    "ConvergenceOrder",
+    "agm_iterations",
+    "angle_difference",
+    "convergence_order",
+    "linear_model_error",
+    "parting_time",
+    "period_limit",
+    "series_terms",
+    "small_angle_limit",
+]

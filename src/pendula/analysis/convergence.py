@@ -1,0 +1,70 @@
+"""The order of a method as measured: how fast its error falls with the step."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+
+@dataclass(frozen=True)
+class ConvergenceOrder:
+    """A straight line through the errors in logarithms: error ≈ constant · stepᵒʳᵈᵉʳ."""
+
+    order: float
+    """Slope of the line; nan if fewer than two points could be used."""
+    constant: float
+    """Error [rad] the line gives for a step of 1 s; nan likewise."""
+    used: NDArray[np.bool_]
+    """Which points the line was drawn through, shape (n,)."""
+
+
+def convergence_order(
+    steps: ArrayLike,
+    errors: ArrayLike,
+    *,
+    floor: float = 3e-12,
+    ceiling: float = 0.05,
+    points: int = 3,
+) -> ConvergenceOrder:
+    """The order of convergence that errors at several steps show.
+
+    The theory, error = C hᵖ + O(hᵖ⁺¹), speaks of small steps only, and rounding hides the error
+    of very small ones. So the line is fitted by least squares to the finest steps whose errors
+    are neither too small nor too large (Hairer, Nørsett & Wanner 1993, II.3).
+
+    Args:
+        steps: step sizes [s], shape (n,), in any order.
+        errors: largest error at each step [rad], shape (n,); nan where a run broke down.
+        floor: errors up to here may be rounding [rad].
+        ceiling: errors from here on are no longer small [rad].
+        points: at most so many of the finest steps are taken.
+
+    Returns:
+        The line, with a slope of nan where fewer than two points are left.
+
+    Raises:
+        ValueError: for lists of different lengths, or a step that is not positive.
+    """
+    h = np.asarray(steps, dtype=np.float64)
+    e = np.asarray(errors, dtype=np.float64)
+    if h.ndim != 1 or h.shape != e.shape:
+        raise ValueError(f"steps and errors must be lists of one length, got {h.shape}, {e.shape}")
+    if not np.all(h > 0):
+        raise ValueError(f"steps must be positive, got {h.min()!r}")
+    usable = np.flatnonzero((e > floor) & (e < ceiling))
+    finest = usable[np.argsort(h[usable])][:points]
+    used = np.zeros(h.shape, dtype=np.bool_)
+    used[finest] = True
+    if len(np.unique(h[finest])) < 2:
+        return ConvergenceOrder(np.nan, np.nan, used)
+    order, constant = _line(np.log(h[finest]), np.log(e[finest]))
+    return ConvergenceOrder(order, math.exp(constant), used)
+
+
+def _line(x: NDArray[np.float64], y: NDArray[np.float64]) -> tuple[float, float]:
+    """Slope and height at 0 of the straight line through points, by least squares."""
+    slope = float(np.sum((x - x.mean()) * (y - y.mean())) / np.sum((x - x.mean()) ** 2))
+    return slope, float(y.mean() - slope * x.mean())

@@ -1,0 +1,23 @@
+"""Figures: trajectories or arrays in, a matplotlib figure out.
+
+matplotlib is imported by the first figure drawn.
+"""
+
+from pendula.plot.comparison import angles, convergence, parting, series, tip_paths
+from pendula.plot.overview import trajectory
+from pendula.plot.pendulum import elliptic_cost, linear_error, periods, phase_portrait
+from pendula.plot.style import svg
+
+__all__ = [
+    "angles",
+    "convergence",
+    "elliptic_cost",
+    "linear_error",
+    "parting",
+    "periods",
+    "phase_portrait",
+    "series",
+    "svg",
+    "tip_paths",
+    "trajectory",
+]

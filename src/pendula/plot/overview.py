@@ -1,0 +1,98 @@
+"""One run at a glance."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from pendula.plot.labels import Labels, labels
+from pendula.plot.style import (
+    INK,
+    degree_ticks,
+    for_logarithm,
+    localise,
+    logarithmic,
+    panels,
+    styled,
+)
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+    from pendula.trajectory import Trajectory
+
+_SECOND = "#0072b2"
+
+
+@styled
+def trajectory(trajectory: Trajectory, *, language: str = "en") -> Figure:
+    """One run at a glance: angles, phase portrait or path of the tip, energy error.
+
+    Args:
+        trajectory: what `solve` or `exact` returned, with states of shape (n, 2) or (n, 4).
+        language: "en" or "es".
+
+    Returns:
+        A figure for a notebook to show, or for `.savefig(path)`.
+
+    Raises:
+        ValueError: for several trajectories at once, or an unknown language.
+    """
+    if trajectory.states.ndim != 2:
+        raise ValueError(
+            f"one trajectory at a time can be drawn, not states of shape {trajectory.states.shape}"
+        )
+    words = labels(language)
+    figure, axes = panels(2, 2, 4.4, words, gridspec_kw={"width_ratios": (1.4, 1)})
+    grid = axes[0, 1].get_gridspec()
+    for ax in axes[:, 1]:
+        ax.remove()
+    _angles(axes[0, 0], trajectory, words)
+    _energy(axes[1, 0], trajectory, words)
+    axes[0, 0].sharex(axes[1, 0])
+    axes[0, 0].tick_params(labelbottom=False)
+    plane = figure.add_subplot(grid[:, 1])
+    localise(plane, words)
+    _plane(plane, trajectory, words)
+    return figure
+
+
+def _angles(ax: Axes, run: Trajectory, words: Labels) -> None:
+    theta = np.degrees(run.theta)
+    if theta.ndim == 1:
+        ax.plot(run.t, theta, color=INK, linewidth=1.2)
+        ax.set_ylabel(words.axis["angle"])
+    else:
+        ax.plot(run.t, theta[:, 0], color=INK, linewidth=1.2, label="θ₁")
+        ax.plot(run.t, theta[:, 1], color=_SECOND, linewidth=1.2, linestyle="--", label="θ₂")
+        ax.legend(loc="best", ncols=2)
+        ax.set_ylabel(words.axis["angle"])
+    degree_ticks(ax, "y", float(np.nanmin(theta)), float(np.nanmax(theta)))
+
+
+def _energy(ax: Axes, run: Trajectory, words: Labels) -> None:
+    error = np.abs(run.energy_error)
+    ax.plot(run.t, for_logarithm(error), color=INK, linewidth=1.0)
+    if np.any(error > 0):
+        logarithmic(ax, "y")
+    ax.set_xlabel(words.axis["time"])
+    ax.set_ylabel(words.axis["energy_error"])
+
+
+def _plane(ax: Axes, run: Trajectory, words: Labels) -> None:
+    style: dict[str, Any] = {"color": INK, "linewidth": 0.9}
+    if run.theta.ndim == 1:
+        theta = np.degrees(run.theta)
+        ax.plot(theta, run.omega, **style)
+        ax.set_xlabel(words.axis["angle"])
+        ax.set_ylabel(words.axis["rate"])
+        degree_ticks(ax, "x", 2 * float(np.nanmin(theta)), 2 * float(np.nanmax(theta)))
+        return
+    tip = run.system.positions(run.states)[:, -1]
+    ax.plot(tip[:, 0], tip[:, 1], **style)
+    ax.plot(0, 0, "+", color="#4a525b", markersize=7)
+    ax.set_aspect("equal")
+    ax.set_xlabel(words.axis["x"])
+    ax.set_ylabel(words.axis["y"])

@@ -1,0 +1,183 @@
+"""One look for all figures.
+
+A run has the same colour and line everywhere, and numbers have the language's decimal sign.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from functools import wraps
+from io import BytesIO
+from typing import TYPE_CHECKING, Any, ParamSpec
+
+import numpy as np
+
+from pendula._checks import extra
+from pendula.plot.labels import Labels
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+    from numpy.typing import NDArray
+
+P = ParamSpec("P")
+
+INK = "#1b1f24"
+FAINT = "#b9bec5"
+_MOST = 1e9  # an error beyond this is no error any more, and would flatten all the others
+WIDTH = 6.4  # inches; the width of the report's column
+
+# Okabe & Ito's palette ("Color Universal Design", 2008); lines tell runs apart as well as colours.
+_LINES: dict[str, dict[str, Any]] = {
+    "exact": {"color": INK, "linestyle": "-", "linewidth": 1.5},
+    "reference": {"color": INK, "linestyle": "-", "linewidth": 1.5},
+    "linear": {"color": "#cc79a7", "linestyle": (0, (6, 2)), "linewidth": 1.6},
+    "euler": {"color": "#d55e00", "linestyle": (0, (5, 1.5)), "linewidth": 1.3},
+    "heun": {"color": "#0072b2", "linestyle": (0, (6, 1.5, 1, 1.5)), "linewidth": 1.3},
+    "rk4": {"color": "#009e73", "linestyle": (0, (1.2, 1.2)), "linewidth": 1.8},
+}
+_OTHER: dict[str, Any] = {"color": "#e69f00", "linestyle": "-", "linewidth": 1.3}
+MARKERS = {"euler": "o", "heun": "s", "rk4": "^"}
+BACKED = {"facecolor": "white", "edgecolor": "none", "alpha": 0.8, "pad": 0.6}
+_SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
+
+_RC: dict[str, Any] = {
+    "font.family": "DejaVu Sans",
+    "font.size": 8.5,
+    "axes.labelsize": 8.5,
+    "axes.edgecolor": "#6b737c",
+    "axes.labelcolor": INK,
+    "axes.linewidth": 0.7,
+    "axes.spines.top": False,
+    "axes.spines.right": False,
+    "axes.titlesize": 8.5,
+    "axes.titlelocation": "left",
+    "axes.grid": True,
+    "grid.color": "#e3e6ea",
+    "grid.linewidth": 0.6,
+    "legend.frameon": False,
+    "legend.fontsize": 8.5,
+    "legend.handlelength": 2.6,
+    "lines.dash_capstyle": "butt",
+    "text.color": INK,
+    "xtick.color": "#4a525b",
+    "ytick.color": "#4a525b",
+    "xtick.labelsize": 8,
+    "ytick.labelsize": 8,
+    # The same figure must give the same bytes: no random identifiers, letters drawn as shapes.
+    "svg.hashsalt": "pendula",
+    "svg.fonttype": "path",
+}
+
+
+def styled(draw: Callable[P, Figure]) -> Callable[P, Figure]:
+    """Let a function draw in this look; matplotlib is only imported when it is called."""
+
+    @wraps(draw)
+    def drawn(*args: P.args, **kwargs: P.kwargs) -> Figure:
+        with _look():
+            return draw(*args, **kwargs)
+
+    return drawn
+
+
+@contextmanager
+def _look() -> Iterator[None]:
+    matplotlib = extra("matplotlib", "report")
+    with matplotlib.rc_context():
+        # From the defaults on, whatever a user's own settings are: figures are the same everywhere.
+        matplotlib.rcdefaults()
+        matplotlib.rcParams.update(_RC)
+        yield
+
+
+def panels(
+    rows: int, columns: int, height: float, words: Labels, **options: Any
+) -> tuple[Figure, Any]:
+    """A figure of rows × columns panels, `height` inches high, numbers in the language's way."""
+    from matplotlib.figure import Figure
+
+    figure = Figure(figsize=(WIDTH, height), layout="constrained")
+    axes = figure.subplots(rows, columns, squeeze=False, **options)
+    for ax in axes.flat:
+        localise(ax, words)
+    return figure, axes
+
+
+def localise(ax: Axes, words: Labels) -> None:
+    """Write the numbers on the axes of one panel in the language's way."""
+    for axis in (ax.xaxis, ax.yaxis):
+        axis.set_major_formatter(_number_formatter(words))
+
+
+def _number_formatter(words: Labels) -> Any:
+    from matplotlib.ticker import ScalarFormatter
+
+    class Formatter(ScalarFormatter):
+        def __call__(self, x: float, pos: int | None = None) -> str:
+            return words.local(str(super().__call__(x, pos)))
+
+    formatter = Formatter(useOffset=False)
+    formatter.set_scientific(False)
+    return formatter
+
+
+def line(run: str) -> dict[str, Any]:
+    """Colour, line style and width of a run, for `Axes.plot`."""
+    return dict(_LINES.get(run, _OTHER))
+
+
+def logarithmic(ax: Axes, *axes: str) -> None:
+    """Give an axis ("x", "y" or both) a logarithmic scale, with powers of ten at the ticks.
+
+    Call it when all lines are drawn: it widens a range of less than two powers of ten.
+    """
+    from matplotlib.ticker import FuncFormatter, LogLocator, NullLocator
+
+    for name in axes:
+        getattr(ax, f"set_{name}scale")("log", nonpositive="mask")
+        axis = getattr(ax, f"{name}axis")
+        low, high = getattr(ax, f"get_{name}lim")()
+        if name == "y" and low > 0 and high / low < 100:
+            ax.set_ylim(low / 10, high * 10)
+        axis.set_major_locator(LogLocator(numticks=8))
+        axis.set_major_formatter(FuncFormatter(_power_of_ten))
+        axis.set_minor_locator(NullLocator())
+
+
+def for_logarithm(values: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Errors with those left out that a logarithmic axis cannot show, or only them.
+
+    That is zero, and what a method gives that blows up.
+    """
+    return np.where((values > 0) & (values < _MOST), values, np.nan)
+
+
+def _power_of_ten(x: float, _: int) -> str:
+    return "10" + str(round(np.log10(x))).translate(_SUPERSCRIPTS) if x > 0 else ""
+
+
+def degree_ticks(ax: Axes, axis: str, low: float, high: float) -> None:
+    """Put an angle axis' ticks [°] on parts of a turn, where the range allows it."""
+    from matplotlib.ticker import MultipleLocator
+
+    span = high - low
+    steps = (0.5, 1, 2, 5, 10, 15, 30, 45, 90, 180, 360)
+    fitting = [s for s in steps if span / s <= 7]
+    if fitting and np.isfinite(span) and span > 0:
+        getattr(ax, f"{axis}axis").set_major_locator(MultipleLocator(fitting[0]))
+
+
+def legend_above(figure: Figure, ax: Axes, columns: int = 5) -> None:
+    """Put one legend over all panels, made from the labelled lines of one of them."""
+    handles, names = ax.get_legend_handles_labels()
+    figure.legend(handles, names, loc="outside upper left", ncols=columns)
+
+
+def svg(figure: Figure) -> bytes:
+    """A figure as SVG: the same figure gives the same bytes, no date within."""
+    buffer = BytesIO()
+    with _look():
+        figure.savefig(buffer, format="svg", metadata={"Date": None, "Creator": None})
+    return buffer.getvalue()

@@ -1,0 +1,128 @@
+"""The study's numbers as CSV: units in the header, floats that read back exactly."""
+
+from __future__ import annotations
+
+import math
+from itertools import zip_longest
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable, Mapping
+    from pathlib import Path
+
+    from pendula.study.runs import Comparison, Results
+    from pendula.trajectory import Trajectory
+
+    Columns = dict[str, Iterable[float | int | str]]
+
+
+def write_data(results: Results, folder: Path) -> None:
+    """Write every table of the study into a folder that exists, as NAME.csv."""
+    for name, columns in _tables(results).items():
+        _write(folder / f"{name}.csv", columns)
+
+
+def _tables(results: Results) -> dict[str, Columns]:
+    double = results.double
+    motion = _motion({"reference": double.reference, **double.runs})
+    motion["reference and its repetitions [rad]"] = double.own_difference.tolist()
+    return {
+        "gentle": _motion(dict(zip(("exact", "linear"), results.models["gentle"], strict=True))),
+        "large": _motion(dict(zip(("exact", "linear"), results.models["large"], strict=True))),
+        "linear_methods": _compared(results.linear),
+        "simple_methods": _compared(results.simple),
+        "double_methods": motion | _differences(double),
+        "linear_error": _linear_error(results),
+        "small_angle_limits": _limits(results),
+        "periods": _periods(results),
+        "elliptic": {
+            "amplitude [rad]": results.elliptic.amplitudes.tolist(),
+            "terms of the series": [int(n) if n < math.inf else n for n in results.elliptic.terms],
+            "iterations of the AGM": results.elliptic.iterations.tolist(),
+        },
+        "convergence": _convergence(results),
+        "orders": _orders(results),
+        "parting": {
+            "method": [*double.parting, "reference and its repetitions"],
+            "time [s]": [*double.parting.values(), double.horizon],
+        },
+    }
+
+
+def _motion(runs: Mapping[str, Trajectory]) -> Columns:
+    """Times, and each run's state and energy; a run that ended early has empty cells."""
+    first = next(iter(runs.values()))
+    columns: Columns = {"t [s]": first.t.tolist()}
+    units = {"theta": "rad", "omega": "rad/s"}
+    for name, run in runs.items():
+        for i, component in enumerate(run.system.components):
+            unit = units[component.rstrip("12")]
+            columns[f"{name} {component} [{unit}]"] = run.states[:, i].tolist()
+        columns[f"{name} energy [J]"] = run.energy.tolist()
+    return columns
+
+
+def _differences(compared: Comparison) -> Columns:
+    return {
+        f"{name} difference [rad]": values.tolist() for name, values in compared.differences.items()
+    }
+
+
+def _compared(compared: Comparison) -> Columns:
+    return _motion({"exact": compared.reference, **compared.runs}) | _differences(compared)
+
+
+def _linear_error(results: Results) -> Columns:
+    part = results.linear_errors
+    columns: Columns = {"amplitude [rad]": part.amplitudes.tolist()}
+    for swings, errors in part.errors.items():
+        columns[f"largest error / amplitude, {swings} swings"] = errors.tolist()
+    return columns
+
+
+def _limits(results: Results) -> Columns:
+    part = results.linear_errors
+    columns: Columns = {
+        "error": list(part.period_limits),
+        "amplitude for the period [rad]": list(part.period_limits.values()),
+    }
+    for swings, limits in part.limits.items():
+        columns[f"amplitude for {swings} swings [rad]"] = list(limits.values())
+    return columns
+
+
+def _periods(results: Results) -> Columns:
+    part = results.periods
+    columns: Columns = {
+        "amplitude [rad]": part.amplitudes.tolist(),
+        "exact period [s]": part.exact.tolist(),
+    }
+    for terms, values in part.series.items():
+        columns[f"period by {terms} terms [s]"] = values.tolist()
+    return columns
+
+
+def _convergence(results: Results) -> Columns:
+    columns: Columns = {"step [s]": results.orders.steps.tolist()}
+    for system, methods in results.orders.cases.items():
+        for method, (errors, _) in methods.items():
+            columns[f"{system} {method} largest error [rad]"] = errors.tolist()
+    return columns
+
+
+def _orders(results: Results) -> Columns:
+    cases = results.orders.cases
+    rows = [(s, m, fit.order) for s, methods in cases.items() for m, (_, fit) in methods.items()]
+    system, method, order = zip(*rows, strict=True)
+    return {"system": system, "method": method, "order": order}
+
+
+def _write(path: Path, columns: Columns) -> None:
+    rows = zip_longest(*columns.values(), fillvalue="")
+    lines = [",".join(map(_quoted, columns))]
+    lines += [",".join(str(value) for value in row) for row in rows]
+    path.write_text("\n".join(lines) + "\n", encoding="utf-8", newline="\n")
+
+
+def _quoted(name: str) -> str:
+    return f'"{name}"' if "," in name else name

@@ -1,0 +1,253 @@
+"""What the text of the report says in numbers: results in, words of one language out.
+
+No number stands in the text itself; each comes from here, and what depends on how a run went
+(a bob thrown over the top, a run that broke down) is told by a list that may be empty.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from pendula.solving import methods
+from pendula.study.errata import errata
+from pendula.study.runs import METHODS, REPETITIONS
+
+if TYPE_CHECKING:
+    from pendula.plot.labels import Labels
+    from pendula.study.notation import Numbers
+    from pendula.study.runs import Comparison, Results
+    from pendula.trajectory import Trajectory
+
+
+def facts(results: Results, words: Labels, numbers: Numbers, version: str) -> dict[str, Any]:
+    """Everything the template reads, as JSON-able data."""
+    return {
+        "version": version,
+        "language": words.language,
+        "simple": _simple(results, numbers),
+        "models": {name: _model(results, name, numbers) for name in results.models},
+        "limits": _limits(results, numbers),
+        "periods": _periods(results, numbers),
+        "elliptic": _elliptic(results, numbers),
+        "methods": [_method(results, name, words, numbers) for name in METHODS],
+        "orders": _orders(results, words, numbers),
+        "double": _double(results, words, numbers),
+        "errata": _errata(words.language),
+    }
+
+
+def _simple(results: Results, numbers: Numbers) -> dict[str, Any]:
+    part = results.recipe.simple
+    frequency = results.pendulum.natural_frequency
+    return {
+        "length": numbers.short(part.length),
+        "mass": numbers.short(part.mass),
+        "gravity": numbers.short(part.gravity, 7),
+        "frequency": numbers.plain(frequency, 5),
+        "small_period": numbers.plain(math.tau / frequency, 5),
+        "gentle": numbers.chosen_degrees(part.gentle),
+        "large": numbers.chosen_degrees(part.large),
+        "until": numbers.short(part.until),
+        "step": numbers.duration(part.step),
+        "steps_a_period": numbers.plain(math.tau / frequency / part.step),
+    }
+
+
+def _model(results: Results, name: str, numbers: Numbers) -> dict[str, str]:
+    exact, linear = results.models[name]
+    amplitude = getattr(results.recipe.simple, name)
+    apart = float(np.max(np.abs(exact.theta - linear.theta)))
+    period = float(results.pendulum.period([amplitude])[0])
+    return {
+        "amplitude": numbers.chosen_degrees(amplitude),
+        "period": numbers.plain(period, 5),
+        "ratio": numbers.plain(period / results.periods.small, 6),
+        "difference": numbers.degrees(apart),
+    }
+
+
+def _limits(results: Results, numbers: Numbers) -> dict[str, Any]:
+    part = results.linear_errors
+    rows = {
+        error: [numbers.percent(error), numbers.degrees(part.period_limits[error])]
+        + [numbers.degrees(limits[error]) for limits in part.limits.values()]
+        for error in sorted(part.period_limits)
+    }
+    usual = min(rows, key=lambda error: abs(math.log(error / 0.01)))
+    swings = list(part.limits)
+    return {
+        "swings": swings,
+        "rows": list(rows.values()),
+        "error": numbers.percent(usual),
+        "period": numbers.degrees(part.period_limits[usual]),
+        "most": {"swings": max(swings), "limit": numbers.degrees(part.limits[max(swings)][usual])},
+    }
+
+
+def _periods(results: Results, numbers: Numbers) -> dict[str, Any]:
+    part = results.periods
+    columns = [part.exact / part.small, *(each / part.small for each in part.series.values())]
+    rows = [
+        [
+            numbers.chosen_degrees(float(amplitude)),
+            *(numbers.fixed(float(c[i]), 6) for c in columns),
+        ]
+        for i, amplitude in enumerate(part.amplitudes)
+    ]
+    return {"terms": list(part.series), "rows": rows}
+
+
+def _elliptic(results: Results, numbers: Numbers) -> dict[str, Any]:
+    part, recipe = results.elliptic, results.recipe.elliptic
+    rows = []
+    for amplitude, terms, iterations in zip(
+        part.amplitudes, part.terms, part.iterations, strict=True
+    ):
+        # 1 − sin x = 2 sin²(π/4 − x/2), without the cancellation.
+        distance = 2 * math.sin(math.pi / 4 - float(amplitude) / 4) ** 2
+        rows.append(
+            {
+                "amplitude": numbers.chosen_degrees(float(amplitude)),
+                "distance": numbers.plain(distance),
+                "terms": numbers.fixed(float(terms), 0) if math.isfinite(terms) else None,
+                "iterations": str(int(iterations)),
+            }
+        )
+    return {
+        "rows": rows,
+        "error": numbers.plain(recipe.error, 1),
+        "largest_terms": numbers.fixed(recipe.largest_terms, 0),
+        "last": rows[-1],
+    }
+
+
+def _method(results: Results, name: str, words: Labels, numbers: Numbers) -> dict[str, Any]:
+    linear, simple = results.linear, results.simple
+    run = simple.runs[name]
+    over = np.flatnonzero(np.abs(run.theta) > math.pi)
+    return {
+        "name": words.name(name),
+        "evaluations": {each.name: each.evaluations_per_step for each in methods()}[name],
+        "linear_error": numbers.degrees(_largest(linear, name)),
+        "simple_error": numbers.degrees(_largest(simple, name)),
+        "linear_energy": numbers.plain(float(linear.runs[name].energy_error[-1])),
+        "linear_energy_theory": numbers.plain(_energy_growth(results, name)),
+        "simple_energy": numbers.plain(float(run.energy_error[-1])),
+        "over_top": numbers.plain(float(run.t[over[0]])) if len(over) else None,
+        "broke_down": [_end(each.runs[name], numbers) for each in (linear, simple)],
+    }
+
+
+def _energy_growth(results: Results, name: str) -> float:
+    """Energy error at the end that theory gives for the linear pendulum.
+
+    A step multiplies the energy by |R(i ωn h)|², R the method's stability function (Hairer & Wanner
+    1996, IV.3): for a method of order p that takes p evaluations, the exponential's first p + 1
+    terms. The last step is shortened where the end is no multiple of the step.
+    """
+    end, step = float(results.linear.runs[name].t[-1]), results.recipe.simple.step
+    full = math.floor(end / step + 1e-9)
+    frequency = results.pendulum.natural_frequency
+
+    def logarithm(h: float) -> float:
+        z = frequency * h
+        return math.log1p({"euler": z**2, "heun": z**4 / 4, "rk4": -(z**6) / 72 + z**8 / 576}[name])
+
+    exponent = full * logarithm(step) + logarithm(max(end - full * step, 0.0))
+    return math.expm1(exponent) if exponent < 700 else math.inf  # e⁷¹⁰ is past all doubles
+
+
+def _largest(compared: Comparison, name: str) -> float:
+    return float(np.nanmax(compared.differences[name]))
+
+
+def _end(run: Trajectory, numbers: Numbers) -> str | None:
+    """When a run broke down; None if it did not."""
+    return None if run.outcome == "reached_end" else numbers.plain(float(run.t[-1]))
+
+
+def _orders(results: Results, words: Labels, numbers: Numbers) -> dict[str, Any]:
+    part, recipe = results.orders, results.recipe.convergence
+    theory = {each.name: each.order for each in methods()}
+    rows = [
+        [words.name(name), str(theory[name])]
+        + [numbers.fixed(case[name][1].order, 3) for case in part.cases.values()]
+        for name in METHODS
+    ]
+    return {
+        "rows": rows,
+        "all_measured": not any("—" in row for row in rows),
+        "until": numbers.short(recipe.until),
+        "coarsest": numbers.duration(max(recipe.steps)),
+        "finest": numbers.duration(min(recipe.steps)),
+    }
+
+
+def _double(results: Results, words: Labels, numbers: Numbers) -> dict[str, Any]:
+    part, double = results.recipe.double, results.double
+    given = {name: numbers.short(getattr(part, name)) for name in ("m1", "m2", "l1", "l2")}
+    rows = [_parting(results, name, words, numbers) for name in METHODS]
+    parted = [row for row in rows if row["time"]]
+    return given | {
+        "theta1": numbers.chosen_degrees(part.theta1),
+        "theta2": numbers.chosen_degrees(part.theta2),
+        "omega1": numbers.short(part.omega1),
+        "omega2": numbers.short(part.omega2),
+        "gravity": numbers.short(part.gravity, 7),
+        "until": numbers.short(part.until),
+        "path_until": numbers.short(min(part.path_until, part.until)),
+        "step": numbers.duration(part.step),
+        "reference_step": numbers.duration(part.reference_step),
+        "half_step": numbers.duration(part.reference_step / 2),
+        "masses": [numbers.short(masses) for masses, _ in REPETITIONS if masses != 1],
+        "tolerance": numbers.chosen_degrees(part.tolerance),
+        "horizon": _moment(double.horizon, numbers),
+        "agreement": _agreement(results, numbers),
+        "rows": rows,
+        "all_parted": len(parted) == len(rows),
+        "latest": max(parted, key=lambda row: row["seconds"]) if parted else None,
+    }
+
+
+def _parting(results: Results, name: str, words: Labels, numbers: Numbers) -> dict[str, Any]:
+    """When a method parted from the reference, as far as the reference can tell."""
+    double = results.double
+    run, moment = double.runs[name], double.parting[name]
+    told = moment if moment < double.horizon else math.inf
+    error = np.abs(run.energy_error)
+    before = error[run.t <= told]
+    trusted = double.reference.t <= double.horizon
+    return {
+        "name": words.name(name),
+        "time": _moment(told, numbers),
+        "seconds": told if math.isfinite(told) else None,
+        "energy_before": numbers.plain(float(np.max(before)), 2),
+        "energy_largest": numbers.plain(float(np.max(error)), 2),
+        "difference": numbers.degrees(float(np.nanmax(double.differences[name][trusted]))),
+        "broke_down": _end(run, numbers),
+    }
+
+
+def _agreement(results: Results, numbers: Numbers) -> list[dict[str, str]]:
+    """The reference against its repetitions, at each fifth of the run."""
+    t, apart = results.double.reference.t, results.double.own_difference
+    places = [round(fifth * (len(t) - 1) / 5) for fifth in range(1, 6)]
+    return [
+        {"time": numbers.short(float(t[i])), "difference": numbers.degrees(float(apart[i]), 2)}
+        for i in places
+    ]
+
+
+def _moment(moment: float, numbers: Numbers) -> str | None:
+    return numbers.plain(moment) if math.isfinite(moment) else None
+
+
+def _errata(language: str) -> list[list[str]]:
+    code: Any = language
+    return [
+        [row.equation[code], row.printed[code], row.correct[code], row.why[code]]
+        for row in errata()
+    ]

@@ -1,0 +1,254 @@
+"""All that the study computes: a recipe in, numbers out."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from pendula import elliptic
+from pendula.analysis import (
+    ConvergenceOrder,
+    agm_iterations,
+    angle_difference,
+    convergence_order,
+    linear_model_error,
+    parting_time,
+    period_limit,
+    series_terms,
+    small_angle_limit,
+)
+from pendula.solving import exact, solve
+from pendula.systems import DoublePendulum, LinearPendulum, SimplePendulum, System
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from numpy.typing import NDArray
+
+    from pendula.study.schema import Convergence, Double, Elliptic, LinearModel, Period, Recipe
+    from pendula.trajectory import Trajectory
+
+    Array = NDArray[np.float64]
+
+METHODS = ("euler", "heun", "rk4")
+
+# Repetitions of the double pendulum's reference: masses times, step times. Heavier rods move just
+# the same, but every rounding is another one; one repetition alone may agree by chance.
+REPETITIONS = ((1.0, 0.5), (3.0, 1.0), (5.0, 1.0), (7.0, 1.0))
+
+
+@dataclass(frozen=True)
+class Comparison:
+    """Runs of one system by each method, and what they are compared with."""
+
+    system: System
+    reference: Trajectory
+    runs: dict[str, Trajectory]
+    differences: dict[str, Array]
+    """Largest angle difference from the reference by method [rad], (n,)."""
+
+
+@dataclass(frozen=True)
+class DoubleComparison(Comparison):
+    """The same for the double pendulum, whose reference is a run itself."""
+
+    own_difference: Array
+    """Largest angle difference between the reference and any of its repetitions [rad], (n,)."""
+    parting: dict[str, float]
+    """When each method parted from the reference [s]; inf: not within the run."""
+    horizon: float
+    """When the first repetition parted from the reference [s]; inf: not within the run."""
+
+
+@dataclass(frozen=True)
+class LinearErrors:
+    """Where small angles stop being small."""
+
+    amplitudes: Array
+    errors: dict[int, Array]
+    """By number of swings, as a part of the amplitude, (n,)."""
+    limits: dict[int, dict[float, float]]
+    """By number of swings and error, the amplitude [rad]."""
+    period_limits: dict[float, float]
+    """By error of the period, the amplitude [rad]."""
+
+
+@dataclass(frozen=True)
+class Periods:
+    """Period against amplitude, all in seconds."""
+
+    amplitudes: Array
+    exact: Array
+    small: float
+    series: dict[int, Array]
+    """By number of terms, (n,)."""
+
+
+@dataclass(frozen=True)
+class EllipticCost:
+    """What K(k) costs, k = sin(amplitude/2)."""
+
+    amplitudes: Array
+    terms: Array
+    iterations: NDArray[np.int64]
+
+
+@dataclass(frozen=True)
+class Orders:
+    """Largest errors at each step, and the line through them, by system and method."""
+
+    steps: Array
+    cases: dict[str, dict[str, tuple[Array, ConvergenceOrder]]]
+
+
+@dataclass(frozen=True)
+class Results:
+    """Everything the figures, tables and files are made of."""
+
+    recipe: Recipe
+    pendulum: SimplePendulum
+    """The recipe's simple pendulum."""
+    models: dict[str, tuple[Trajectory, Trajectory]]
+    """The exact and the linear motion, for the "gentle" and the "large" release."""
+    linear_errors: LinearErrors
+    periods: Periods
+    elliptic: EllipticCost
+    linear: Comparison
+    simple: Comparison
+    orders: Orders
+    double: DoubleComparison
+
+
+def compute(recipe: Recipe) -> Results:
+    """Run the whole study."""
+    part = recipe.simple
+    linear = LinearPendulum(part.length, part.gravity, part.mass)
+    simple = SimplePendulum(part.length, part.gravity, part.mass)
+    t = times(part.until, part.output)
+    releases = {"gentle": (part.gentle, 0.0), "large": (part.large, 0.0)}
+    models = {n: (exact(simple, s, t), exact(linear, s, t)) for n, s in releases.items()}
+    gentle, large = models["gentle"][1], models["large"][0]
+    return Results(
+        recipe=recipe,
+        pendulum=simple,
+        models=models,
+        linear_errors=_linear_errors(recipe.linear_model),
+        periods=_periods(simple, recipe.period),
+        elliptic=_elliptic_cost(recipe.elliptic),
+        linear=_comparison(linear, releases["gentle"], gentle, part.step),
+        simple=_comparison(simple, releases["large"], large, part.step),
+        orders=_orders(recipe.convergence, linear, simple, recipe),
+        double=_double(recipe.double),
+    )
+
+
+def times(until: float, output: float) -> Array:
+    """Times from 0 at which points are kept [s], (n,); the last is not after `until`."""
+    # A span that is a whole number of outputs but for rounding has them all.
+    count = math.floor(until / output * (1 + 1e-12)) + 1
+    return np.arange(count, dtype=np.float64) * output
+
+
+def double_pendulum(part: Double) -> tuple[DoublePendulum, tuple[float, float, float, float]]:
+    """The recipe's rods, and their state at the start."""
+    system = DoublePendulum.rods(part.m1, part.m2, part.l1, part.l2, part.gravity)
+    return system, (part.theta1, part.theta2, part.omega1, part.omega2)
+
+
+def _comparison(
+    system: System, state: tuple[float, ...], reference: Trajectory, step: float
+) -> Comparison:
+    runs = {m: solve(system, state, reference.t, m, step=step) for m in METHODS}
+    differences = {m: angle_difference(run, reference) for m, run in runs.items()}
+    return Comparison(system, reference, runs, differences)
+
+
+def _double(part: Double) -> DoubleComparison:
+    system, state = double_pendulum(part)
+    t = times(part.until, part.output)
+    reference = solve(system, state, t, "rk4", step=part.reference_step)
+    own = np.max([angle_difference(run, reference) for run in _repeated(part, t)], axis=0)
+    if not np.isfinite(own).all():
+        raise RuntimeError(
+            f"the double pendulum's reference run breaks down; take a smaller "
+            f"double.reference_step than {part.reference_step:g} s"
+        )
+    compared = _comparison(system, state, reference, part.step)
+    return DoubleComparison(
+        system,
+        reference,
+        compared.runs,
+        compared.differences,
+        own_difference=own,
+        parting={m: parting_time(t, d, part.tolerance) for m, d in compared.differences.items()},
+        horizon=parting_time(t, own, part.tolerance),
+    )
+
+
+def _repeated(part: Double, t: Array) -> Iterator[Trajectory]:
+    for masses, steps in REPETITIONS:
+        system, state = double_pendulum(replace(part, m1=part.m1 * masses, m2=part.m2 * masses))
+        yield solve(system, state, t, "rk4", step=part.reference_step * steps)
+
+
+def _linear_errors(part: LinearModel) -> LinearErrors:
+    amplitudes = np.array(sorted(part.amplitudes))
+    return LinearErrors(
+        amplitudes,
+        errors={n: linear_model_error(amplitudes, n) for n in part.swings},
+        limits={n: {e: small_angle_limit(e, n) for e in part.errors} for n in part.swings},
+        period_limits={e: period_limit(e) for e in part.errors},
+    )
+
+
+def periods(simple: SimplePendulum, amplitudes: Array, terms: tuple[int, ...]) -> Periods:
+    """Periods of releases from rest, exact and by the first terms of the series [s]."""
+    k = np.sin(amplitudes / 2)
+    series = {n: 4 * elliptic.K_series(k, n) / simple.natural_frequency for n in terms}
+    small = math.tau / simple.natural_frequency
+    return Periods(amplitudes, simple.period(amplitudes), small, series)
+
+
+def _periods(simple: SimplePendulum, part: Period) -> Periods:
+    return periods(simple, np.array(sorted(part.amplitudes)), part.terms)
+
+
+def _elliptic_cost(part: Elliptic) -> EllipticCost:
+    amplitudes = np.array(sorted(part.amplitudes))
+    kc = np.cos(amplitudes / 2)
+    terms = series_terms(kc, part.error, largest=part.largest_terms)
+    return EllipticCost(amplitudes, terms, agm_iterations(kc, part.error))
+
+
+def _orders(
+    part: Convergence, linear: LinearPendulum, simple: SimplePendulum, recipe: Recipe
+) -> Orders:
+    steps = np.array(sorted(part.steps, reverse=True))
+    t = times(part.until, float(steps[0]))
+    rods, start = double_pendulum(recipe.double)
+    gentle, large = (recipe.simple.gentle, 0.0), (recipe.simple.large, 0.0)
+    # A quarter of the finest step makes RK4's own error there 4⁴ = 256 times smaller.
+    finer = solve(rods, start, t, "rk4", step=float(steps[-1]) / 4)
+    cases = {
+        "linear": _errors(linear, gentle, exact(linear, gentle, t), steps),
+        "simple": _errors(simple, large, exact(simple, large, t), steps),
+        "double": _errors(rods, start, finer, steps),
+    }
+    return Orders(steps, cases)
+
+
+def _errors(
+    system: System, state: tuple[float, ...], truth: Trajectory, steps: Array
+) -> dict[str, tuple[Array, ConvergenceOrder]]:
+    def largest(method: str, step: float) -> float:
+        run = solve(system, state, truth.t, method, step=step)
+        return float(np.max(angle_difference(run, truth)))
+
+    result = {}
+    for method in METHODS:
+        errors = np.array([largest(method, float(step)) for step in steps])
+        result[method] = (errors, convergence_order(steps, errors))
+    return result

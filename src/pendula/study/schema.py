@@ -1,0 +1,140 @@
+"""What a recipe holds: each key with its unit and range in one row. Values are in SI units."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, field
+from typing import Any
+
+
+@dataclass(frozen=True)
+class Rule:
+    """What a value must be: more than `low`, less than `high`; a list of such, or one."""
+
+    unit: str | None = None
+    """SI unit of a quantity; None for a plain number."""
+    low: float = -math.inf
+    high: float = math.inf
+    whole: bool = False
+    many: bool = False
+
+    def allows(self, value: float) -> bool:
+        """Whether a number is within the range."""
+        return self.low < value < self.high
+
+    def range(self) -> str:
+        """The range in words."""
+        unit = f" {self.unit}" if self.unit else ""
+        if self.high == math.pi:
+            return "between 0 and 180 deg"
+        if self.high == math.inf:
+            return f"more than {self.low:g}{unit}"
+        return f"between {self.low:g} and {self.high:g}{unit}"
+
+
+def _value(rule: Rule) -> Any:
+    return field(metadata={"rule": rule})
+
+
+_LENGTH = Rule("m", low=0)
+_MASS = Rule("kg", low=0)
+_GRAVITY = Rule("m/s^2", low=0)
+_TIME = Rule("s", low=0)
+_AMPLITUDE = Rule("rad", low=0, high=math.pi)
+_AMPLITUDES = Rule("rad", low=0, high=math.pi, many=True)
+_PARTS = Rule(low=0, high=1, many=True)
+_SWINGS = Rule(low=0, high=101, whole=True, many=True)
+_TERMS = Rule(low=0, high=1001, whole=True, many=True)
+
+
+@dataclass(frozen=True)
+class Simple:
+    """The simple pendulum, its two releases from rest, and the runs."""
+
+    length: float = _value(_LENGTH)
+    mass: float = _value(_MASS)
+    gravity: float = _value(_GRAVITY)
+    gentle: float = _value(_AMPLITUDE)
+    large: float = _value(_AMPLITUDE)
+    until: float = _value(_TIME)
+    step: float = _value(_TIME)
+    output: float = _value(_TIME)
+
+
+@dataclass(frozen=True)
+class LinearModel:
+    """Where small angles stop being small."""
+
+    amplitudes: tuple[float, ...] = _value(_AMPLITUDES)
+    swings: tuple[int, ...] = _value(_SWINGS)
+    errors: tuple[float, ...] = _value(_PARTS)
+
+
+@dataclass(frozen=True)
+class Period:
+    """The table of periods."""
+
+    amplitudes: tuple[float, ...] = _value(_AMPLITUDES)
+    terms: tuple[int, ...] = _value(_TERMS)
+
+
+@dataclass(frozen=True)
+class Elliptic:
+    """Series against arithmetic-geometric mean."""
+
+    amplitudes: tuple[float, ...] = _value(_AMPLITUDES)
+    error: float = _value(Rule(low=1e-15, high=1))
+    largest_terms: int = _value(Rule(low=0, high=5_000_001, whole=True))
+
+
+@dataclass(frozen=True)
+class Convergence:
+    """The methods' order."""
+
+    until: float = _value(_TIME)
+    steps: tuple[float, ...] = _value(Rule("s", low=0, many=True))
+
+
+@dataclass(frozen=True)
+class Double:
+    """Two uniform rods, their start, and the runs."""
+
+    m1: float = _value(_MASS)
+    m2: float = _value(_MASS)
+    l1: float = _value(_LENGTH)
+    l2: float = _value(_LENGTH)
+    gravity: float = _value(_GRAVITY)
+    theta1: float = _value(Rule("rad"))
+    theta2: float = _value(Rule("rad"))
+    omega1: float = _value(Rule("rad/s"))
+    omega2: float = _value(Rule("rad/s"))
+    until: float = _value(_TIME)
+    step: float = _value(_TIME)
+    output: float = _value(_TIME)
+    path_until: float = _value(_TIME)
+    reference_step: float = _value(_TIME)
+    tolerance: float = _value(Rule("rad", low=0))
+
+
+@dataclass(frozen=True)
+class Recipe:
+    """Everything the study's numbers follow from."""
+
+    simple: Simple
+    linear_model: LinearModel
+    period: Period
+    elliptic: Elliptic
+    convergence: Convergence
+    double: Double
+    text: str
+    """The complete recipe as TOML; read again, it gives the same numbers bit for bit."""
+
+
+SECTIONS: dict[str, type[Any]] = {
+    "simple": Simple,
+    "linear_model": LinearModel,
+    "period": Period,
+    "elliptic": Elliptic,
+    "convergence": Convergence,
+    "double": Double,
+}

@@ -1,0 +1,134 @@
+"""The study from end to end: a recipe in, a folder with report, figures and numbers out."""
+
+from __future__ import annotations
+
+import tempfile
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from pendula import __version__
+from pendula._checks import extra
+from pendula.plot.labels import labels
+from pendula.study.recipe import read_recipe
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from pendula.study.schema import Recipe
+
+    Progress = Callable[[str, float], None]
+
+# What every finished study holds.
+_MARKS = {"recipe.toml", "report.html", "report.pdf"}
+
+# Share of the time that is over when each part begins, as measured with the default recipe.
+_RUNS, _DATA, _FIGURES, _REPORT = 0.0, 0.1, 0.15, 0.75
+
+
+def run_study(
+    recipe_path: Path | None,
+    out: Path,
+    language: str = "en",
+    *,
+    overwrite: bool = False,
+    progress: Progress | None = None,
+) -> Path:
+    """Run the study and write its report.
+
+    Writes report.html (complete in itself), report.pdf, figures/*.svg, data/*.csv and recipe.toml,
+    from which the same numbers come again bit for bit. Nothing stands at `out` before all is done.
+
+    Args:
+        recipe_path: a TOML file naming what differs from the study's own recipe; None: nothing.
+        out: the folder to make.
+        language: of the report, "en" or "es".
+        overwrite: replace what stands at `out`, once the new study is complete.
+        progress: called with what is being done and the share that is done, from 0 to 1.
+
+    Returns:
+        The folder.
+
+    Raises:
+        ValueError: for a broken recipe (its file and line are named) or an unknown language.
+        FileExistsError: where `out` exists and `overwrite` is not set.
+        RuntimeError: if the reference run of the recipe breaks down.
+        MissingExtraError: without the packages of the extra "report".
+    """
+    recipe = read_recipe(recipe_path)
+    labels(language)
+    for package in ("matplotlib", "typst"):
+        extra(package, "report")
+    target = Path(out)
+    _check_free(target, overwrite=overwrite)
+    with _scratch_beside(target) as scratch:
+        made = Path(scratch) / "new"
+        made.mkdir()
+        _write(recipe, made, language, progress or (lambda label, share: None))
+        _put(made, target, Path(scratch) / "old", overwrite=overwrite)
+    return target
+
+
+# A method that blows up overflows, which the report tells better than a warning.
+@np.errstate(over="ignore", invalid="ignore")
+def _write(recipe: Recipe, folder: Path, language: str, progress: Progress) -> None:
+    from pendula.study.data import write_data
+    from pendula.study.facts import facts
+    from pendula.study.figures import Figures
+    from pendula.study.motions import motions
+    from pendula.study.notation import Numbers
+    from pendula.study.report import catalogue, write_report
+    from pendula.study.runs import compute
+
+    words, catalog = labels(language), catalogue(language)
+    numbers, doing = Numbers(words), catalog["progress"]
+    progress(doing["runs"], _RUNS)
+    results = compute(recipe)
+    progress(doing["data"], _DATA)
+    (folder / "recipe.toml").write_text(recipe.text, encoding="utf-8", newline="\n")
+    (folder / "data").mkdir()
+    write_data(results, folder / "data")
+    progress(doing["figures"], _FIGURES)
+    (folder / "figures").mkdir()
+    figures = Figures(results, language, catalog["systems"], numbers)
+    for share in figures.write(folder / "figures"):
+        progress(doing["figures"], _FIGURES + share * (_REPORT - _FIGURES))
+    told = facts(results, words, numbers, __version__) | {"words": catalog}
+    progress(doing["report"], _REPORT)
+    write_report(folder, told, motions(results, words, catalog["replay"]))
+    progress(doing["report"], 1.0)
+
+
+def _check_free(target: Path, *, overwrite: bool) -> None:
+    """Refuse what must not be replaced: anything at all, or anything but a study."""
+    if not target.exists() and not target.is_symlink():
+        return
+    if not overwrite:
+        raise FileExistsError(f"{target} exists already; choose another folder or overwrite it")
+    contents = {entry.name for entry in target.iterdir()} if target.is_dir() else None
+    if target.is_symlink() or contents is None or (contents and not contents >= _MARKS):
+        raise FileExistsError(f"{target} is not a study, so it is not replaced; choose another")
+
+
+def _scratch_beside(target: Path) -> tempfile.TemporaryDirectory[str]:
+    """A folder that goes when done, beside the target so that it can be moved in one go."""
+    try:
+        target.parent.mkdir(parents=True, exist_ok=True)
+        return tempfile.TemporaryDirectory(prefix=f".{target.name}-", dir=target.parent)
+    except OSError as error:
+        reason = f"cannot write a study there: {error.strerror}"
+        raise OSError(error.errno, reason, str(target.parent)) from None
+
+
+def _put(made: Path, target: Path, old: Path, *, overwrite: bool) -> None:
+    """Move a complete study to its place; what stood there goes only now."""
+    _check_free(target, overwrite=overwrite)
+    if target.exists():
+        target.rename(old)
+    try:
+        made.rename(target)
+    except BaseException:
+        if old.exists():
+            old.rename(target)
+        raise
