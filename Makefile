@@ -4,7 +4,7 @@
 # make bench   the benchmarks, beside their peers
 # make lock    renew the locks from pyproject.toml
 .DEFAULT_GOAL := help
-.PHONY: help study test test-python test-core lint format bench stubs lock clean
+.PHONY: FORCE help study test test-python test-core lint format bench stubs lock clean
 .DELETE_ON_ERROR:
 SHELL := /bin/sh
 PYTHON ?= python3
@@ -28,7 +28,11 @@ help:
 	$(UV) pip sync -q --require-hashes requirements.lock
 	@touch $@
 
-.venv/installed: .venv/packages pyproject.toml $(COMPILED)
+# an editable install knows the modules it was made with
+.venv/modules: .venv/packages FORCE
+	@find src/pendula -name '*.py' | sort | cmp -s - $@ || find src/pendula -name '*.py' | sort >$@
+
+.venv/installed: .venv/packages .venv/modules pyproject.toml $(COMPILED)
 	PATH="$(BIN):$$PATH" CMAKE_BUILD_PARALLEL_LEVEL=$(CORES) SKBUILD_CMAKE_DEFINE=PENDULA_STRICT=ON $(UV) pip install -q --no-build-isolation --no-deps -e .
 	@touch $@
 

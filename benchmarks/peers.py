@@ -18,7 +18,7 @@ AT_ONE = np.array(
 )
 
 
-@numba.njit(fastmath=True)  # type: ignore[untyped-decorator]
+@numba.njit(fastmath=True)
 def numba_rk4(y: Any, h: float, steps: int) -> Any:
     """Its best form: constants and state in local variables, no arrays in the loop."""
     a, b, c, d, e = 4.0 / 3.0, 1.0 / 3.0, 0.5, 1.5 * 9.81, 0.5 * 9.81

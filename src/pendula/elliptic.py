@@ -125,7 +125,7 @@ def _over(
 
 
 def _moduli(k: ArrayLike | None, kc: ArrayLike | None) -> tuple[Array, Array]:
-    """Both moduli from the one given; √((1 − k)(1 + k)) rounds 1 − k not at all where it cancels."""
+    """Both moduli from the one given; √((1 − k)(1 + k)) loses nothing where 1 − k cancels."""
     import numpy as np
 
     if (k is None) == (kc is None):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import TYPE_CHECKING
 
 from pendula import _engine
@@ -101,35 +102,32 @@ def solve(
         )
     origin = finite_number("t0", t0, "s")
     times, own_steps = _output_times(t, origin)
-    span = float(times[-1]) - origin
-    size = _step_size(method, step, span)
-    limit = _step_limit(max_steps)
-    if own_steps and abs(span) / size > MOST_OUTPUTS:
+    size = _step_size(method, step, float(times[-1]) - origin)
+    end = float(times[0]) if own_steps else None
+    return _solve_fixed(system, method, times, Request(start, origin, end, size, max_steps))
+
+
+def _solve_fixed(system: System, method: str, times: Array, asked: Request) -> Trajectory:
+    """Run a checked request on the grid of its step."""
+    size, span = asked.step or 0.0, float(times[-1]) - asked.t0
+    if asked.end is not None and abs(span) / size > MOST_OUTPUTS:
         raise ValueError(
-            f"step = {size!r} s makes {abs(span) / size:.3g} outputs up to t = {times[-1]:g} s; "
+            f"step = {size!r} s makes {abs(span) / size:.3g} outputs up to t = {asked.end:g} s; "
             "give output times, such as t=numpy.linspace(t0, t_end, 1001), or a larger step"
         )
-    reached_t, states, reached, outcome, steps = _engine.solve_fixed(
+    t, states, reached, outcome, steps = _engine.solve_fixed(
         system._description(),
         method,
-        start.tolist(),
-        origin,
-        size if span >= 0 else -size,
-        limit,
+        asked.state.tolist(),
+        asked.t0,
+        math.copysign(size, span),
+        _step_limit(asked.max_steps),
         times,
-        own_steps,
+        asked.end is not None,
     )
     evaluations = {each.name: each.evaluations_per_step for each in methods()}[method]
-    request = Request(start, origin, float(times[0]) if own_steps else None, size, max_steps)
     return Trajectory(
-        system,
-        method,
-        reached_t[:reached],
-        states[:reached],
-        request,
-        outcome,
-        steps,
-        steps * evaluations,
+        system, method, t[:reached], states[:reached], asked, outcome, steps, steps * evaluations
     )
 
 

@@ -1,0 +1,138 @@
+"""The planar double pendulum: two rods, two bobs, or any two rigid bodies."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import ClassVar
+
+from pendula import _engine
+from pendula._checks import one_of, positive_number
+from pendula.systems.base import STANDARD_GRAVITY, System
+
+
+@dataclass(frozen=True)
+class NormalModes:
+    """Small oscillations about the lowest point, the slow mode first.
+
+    Attributes:
+        frequencies: angular frequencies, (2,) [rad/s].
+        shapes: row i holds (θ1, θ2) of mode i, of length one, θ1 not negative, (2, 2).
+    """
+
+    frequencies: tuple[float, float]
+    shapes: tuple[tuple[float, float], tuple[float, float]]
+
+
+@dataclass(frozen=True)
+class DoublePendulum(System):
+    """The planar double pendulum; make one with `rods`, `bobs` or `bodies`.
+
+    T = ½A ω1² + ½B ω2² + C ω1 ω2 cos(θ1−θ2), V = D (1 − cos θ1) + E (1 − cos θ2), with the
+    constants A … E that each form gives (`constants`). Rods: Herrera et al. (2024), eqs. 35–50.
+    """
+
+    form: str
+    values: tuple[float, ...]
+    name: ClassVar[str] = "double"
+
+    def __post_init__(self) -> None:
+        forms = tuple(each.name for each in _engine.system_entries()[self.name].forms)
+        one_of("form", self.form, forms)
+        if len(self.values) != len(self._rows()):
+            raise ValueError(
+                f"values must hold the {len(self._rows())} parameters of {self.form}, "
+                f"got {len(self.values)}; use DoublePendulum.{self.form}(...)"
+            )
+        checked = tuple(
+            positive_number(row.name, value, row.unit, zero=row.zero_allowed)
+            for row, value in zip(self._rows(), self.values, strict=True)
+        )
+        object.__setattr__(self, "values", checked)
+        self._check_constants()
+
+    @classmethod
+    def rods(
+        cls,
+        m1: float = 1.0,
+        m2: float = 1.0,
+        l1: float = 1.0,
+        l2: float = 1.0,
+        gravity: float = STANDARD_GRAVITY,
+    ) -> DoublePendulum:
+        """Two uniform rods of masses m1, m2 [kg] and lengths l1, l2 [m]: the paper's pendulum."""
+        return cls("rods", (m1, m2, l1, l2, gravity))
+
+    @classmethod
+    def bobs(
+        cls,
+        m1: float = 1.0,
+        m2: float = 1.0,
+        l1: float = 1.0,
+        l2: float = 1.0,
+        gravity: float = STANDARD_GRAVITY,
+    ) -> DoublePendulum:
+        """Two point masses m1, m2 [kg] on massless rods of lengths l1, l2 [m]."""
+        return cls("bobs", (m1, m2, l1, l2, gravity))
+
+    @classmethod
+    def bodies(
+        cls,
+        m1: float,
+        m2: float,
+        l1: float,
+        c1: float,
+        c2: float,
+        I1: float,
+        I2: float,
+        gravity: float = STANDARD_GRAVITY,
+        l2: float | None = None,
+    ) -> DoublePendulum:
+        """Any two rigid bodies.
+
+        Args:
+            m1: mass of body 1 [kg]; m2 of body 2.
+            m2: mass of body 2 [kg].
+            l1: from the pivot to the joint [m].
+            c1: from the pivot to the centre of mass of body 1 [m].
+            c2: from the joint to the centre of mass of body 2 [m].
+            I1: moment of inertia of body 1 about its centre of mass [kg m²].
+            I2: moment of inertia of body 2 about its centre of mass [kg m²].
+            gravity: [m/s²].
+            l2: length of body 2, for drawing and tip events only [m]; None: c2.
+        """
+        return cls("bodies", (m1, m2, l1, c1, c2, I1, I2, gravity, c2 if l2 is None else l2))
+
+    @property
+    def parameters(self) -> dict[str, float]:
+        """The parameters of the form by name, in SI units."""
+        return dict(zip((row.name for row in self._rows()), self.values, strict=True))
+
+    def __repr__(self) -> str:
+        arguments = ", ".join(f"{name}={value!r}" for name, value in self.parameters.items())
+        return f"DoublePendulum.{self.form}({arguments})"
+
+    def normal_modes(self) -> NormalModes:
+        """Frequencies and shapes of small oscillations.
+
+        λ = ω² solves (AB − C²) λ² − (AE + BD) λ + DE = 0; the discriminant as a sum of squares and
+        the smaller root from the product of both lose no digits.
+        """
+        A, B, C, D, E, determinant, _ = self.constants.values()
+        root = math.sqrt((A * E - B * D) ** 2 + 4.0 * C * C * D * E)
+        fast = (A * E + B * D + root) / (2.0 * determinant)
+        slow = 2.0 * D * E / (A * E + B * D + root)
+        return NormalModes(
+            (math.sqrt(slow), math.sqrt(fast)),
+            (_mode_shape(A, B, C, D, E, slow), _mode_shape(A, B, C, D, E, fast)),
+        )
+
+
+def _mode_shape(
+    A: float, B: float, C: float, D: float, E: float, square: float
+) -> tuple[float, float]:
+    """Null vector of the stiffness less ω² times the mass matrix, by its larger row."""
+    first, second = (square * C, D - square * A), (E - square * B, square * C)
+    x, y = max(first, second, key=lambda row: math.hypot(*row))
+    length = math.copysign(math.hypot(x, y), x if x != 0.0 else y)
+    return x / length, y / length

@@ -1,0 +1,127 @@
+"""One bob on a rod: the linear and the simple pendulum."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, ClassVar
+
+from pendula import _engine, elliptic
+from pendula._checks import finite_array, positive_number, states_array
+from pendula.systems.base import STANDARD_GRAVITY, System
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import ArrayLike, NDArray
+
+    Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class _OneBob(System):
+    form: ClassVar[str] = ""  # type: ignore[misc]  # the one form there is
+
+    length: float = 1.0
+    gravity: float = STANDARD_GRAVITY
+    mass: float = 1.0
+
+    def __post_init__(self) -> None:
+        for row in self._rows():
+            value = positive_number(row.name, getattr(self, row.name), row.unit)
+            object.__setattr__(self, row.name, value)
+        self._check_constants()
+
+    @property
+    def natural_frequency(self) -> float:
+        """ωn = √(g/L) [rad/s]."""
+        return math.sqrt(self.gravity / self.length)
+
+
+@dataclass(frozen=True)
+class LinearPendulum(_OneBob):
+    """The linear pendulum, θ̈ = −(g/L) θ: the small-angle model, harmonic for every amplitude.
+
+    Args:
+        length: from pivot to bob [m].
+        gravity: [m/s²].
+        mass: of the bob [kg].
+
+    Raises:
+        ValueError: for a value that is not positive and finite.
+    """
+
+    name: ClassVar[str] = "linear"
+
+    def period(self, amplitude: ArrayLike | None = None, *, state: ArrayLike | None = None) -> Any:
+        """2π/ωn [s], the same for every amplitude or state; shaped as they are."""
+        import numpy as np
+
+        one = 2.0 * math.pi / self.natural_frequency
+        shape: tuple[int, ...] = ()
+        if amplitude is not None:
+            shape = finite_array("amplitude", amplitude, "rad").shape
+        elif state is not None:
+            shape = states_array(state, self.components).shape[:-1]
+        return np.full(shape, one) if shape else one
+
+
+@dataclass(frozen=True)
+class SimplePendulum(_OneBob):
+    """The simple pendulum, θ̈ = −(g/L) sin θ: a point mass on a massless rod, any angle.
+
+    Args:
+        length: from pivot to bob [m].
+        gravity: [m/s²].
+        mass: of the bob [kg].
+
+    Raises:
+        ValueError: for a value that is not positive and finite.
+    """
+
+    name: ClassVar[str] = "simple"
+
+    def period(self, amplitude: ArrayLike | None = None, *, state: ArrayLike | None = None) -> Any:
+        """Period of the motion of that amplitude, or through that state [s].
+
+        T = 4 K(k) / ωn in libration, 2 K(1/k) / (k ωn) for a whole turn in rotation, infinite on
+        the separatrix; k² = sin²(θ0/2) + (ω0/2ωn)². DLMF 22.19(i).
+
+        Args:
+            amplitude: largest angle of a libration, within [−π, π] [rad]; any shape.
+            state: (θ0, ω0) or an array (..., 2) of them [rad, rad/s].
+
+        Returns:
+            A float, or an array of the amplitude's shape, or of the states' without the last axis.
+
+        Raises:
+            ValueError: for neither or both arguments, or an amplitude beyond π.
+        """
+        import numpy as np
+
+        k, kc = self._modulus(amplitude, state)
+        rotation = k > 1.0
+        reciprocal = 1.0 / np.where(rotation, k, 1.0)
+        integral = elliptic.K(kc=kc * reciprocal)
+        result = np.where(rotation, 2.0, 4.0) * reciprocal * integral / self.natural_frequency
+        return result if result.ndim else float(result)
+
+    def _modulus(self, amplitude: ArrayLike | None, state: ArrayLike | None) -> tuple[Array, Array]:
+        """The modulus k and |k'|, each from its own formula: neither may cancel near k = 1."""
+        import numpy as np
+
+        if (amplitude is None) == (state is None):
+            raise ValueError("period takes an amplitude or state=(theta0, omega0), one of the two")
+        if amplitude is not None:
+            angles = finite_array("amplitude", amplitude, "rad")
+            if (np.abs(angles) > math.pi).any():
+                largest = float(np.abs(angles).max())
+                raise ValueError(
+                    f"amplitude must lie within [-pi, pi] [rad], got {largest!r}; "
+                    "for a motion over the top give state=(theta0, omega0)"
+                )
+            k, kc = _engine.modulus_of_amplitude(angles.ravel())
+            return k.reshape(angles.shape), kc.reshape(angles.shape)
+        states = states_array(state, self.components)  # type: ignore[arg-type]
+        speed = states[..., 1] / (2.0 * self.natural_frequency)
+        sine, cosine = np.sin(0.5 * states[..., 0]), np.cos(0.5 * states[..., 0])
+        return np.hypot(sine, speed), np.sqrt(np.abs((cosine - speed) * (cosine + speed)))
