@@ -45,8 +45,8 @@ BOOST_AUTO_TEST_CASE(sincos_next_to_multiples_of_a_quarter_turn) {
 
 BOOST_AUTO_TEST_CASE(sincos_refuses_angles_beyond_its_range) {
   for (double x : {largest_angle, -largest_angle, 1e300, HUGE_VAL, -HUGE_VAL, std::nan("")}) {
-    BOOST_TEST(std::isnan(sincos(x).sin), x);
-    BOOST_TEST(std::isnan(sincos(x).cos), x);
+    BOOST_TEST(!std::isfinite(sincos(x).sin), x);
+    BOOST_TEST(!std::isfinite(sincos(x).cos), x);
   }
   check(std::nextafter(largest_angle, 0.0));
 }

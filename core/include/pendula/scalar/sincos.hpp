@@ -1,5 +1,5 @@
 // Sine and cosine together, the same bits for a number and for every lane, on every machine, for |x| below
-// `largest_angle`; from there on the result is NaN, which ends a run, never a silently wrong number.
+// `largest_angle`; from there on the results are not finite, which ends a run, never a silently wrong number.
 #pragma once
 
 #include "pendula/scalar/pack.hpp"
@@ -25,12 +25,10 @@ PENDULA_INLINE auto reduce_by_half_pi(S x) {
     decltype(bits(x)) quadrant;
   };
   const S nearest_integer_magic(0x1.8p52);  // adding 1.5·2^52 leaves the nearest integer in the low bits
-  const S shifted = x * S(0x1.45f306dc9c883p-1) + nearest_integer_magic;  // 2/π
+  const S overflowing = x * S(0x1p1023 / largest_angle * 2.0);                        // infinite from largest_angle on
+  const S shifted = overflowing * S(0x1.45f306dc9c883p-999) + nearest_integer_magic;  // x 2/π otherwise
   const S n = shifted - nearest_integer_magic;
-  const S overflowing =
-      x * S(0x1p1023 / largest_angle * 2.0);  // infinite from largest_angle on; infinity − infinity is NaN
-  const S low = n * S(0x1.10b4611a62633p-30) + (overflowing - overflowing);
-  return reduced{(x - n * S(0x1.921fb54p+0)) - low, bits(shifted)};
+  return reduced{(x - n * S(0x1.921fb54p+0)) - n * S(0x1.10b4611a62633p-30), bits(shifted)};
 }
 
 // Polynomials for |x| ≤ π/4 with error below 2^-58, the coefficients of fdlibm's k_sin.c and k_cos.c (Sun Microsystems
@@ -44,7 +42,7 @@ PENDULA_INLINE sine_cosine<S> sincos_polynomials(S x) {
   const S q = (S(4.16666666666666019037e-02) + z * S(-1.38888888888741095749e-03)) +
               w * ((S(2.48015872894767294178e-05) + z * S(-2.75573143513906633035e-07)) +
                    w * (S(2.08757232129817482790e-09) + z * S(-1.13596475577881948265e-11)));
-  return {x + (cube * S(-1.66666666666666324348e-01) + (cube * z) * p), S(1.0) - (S(0.5) * z - w * q)};
+  return {x + (cube * (S(-1.66666666666666324348e-01) + z * p)), S(1.0) - (S(0.5) * z - w * q)};
 }
 
 template <class S>
@@ -54,8 +52,8 @@ PENDULA_INLINE sine_cosine<S> sincos(S x) {
   // odd quadrants exchange sine and cosine: through their difference in bits, without a branch
   const auto exchange = (bits(s) ^ bits(c)) & -(r.quadrant & 1);
   // quadrants 2, 3 turn the sign of the sine, 1, 2 that of the cosine: bit 1, and bit 1 plus bit 0, as the sign bit
-  const auto odd_sign = r.quadrant << 63, sine_sign = (r.quadrant & 2) << 62;
-  return {from_bits<S>(bits(s) ^ exchange ^ sine_sign), from_bits<S>(bits(c) ^ exchange ^ (sine_sign ^ odd_sign))};
+  const auto change = exchange ^ ((r.quadrant & 2) << 62), odd_sign = r.quadrant << 63;
+  return {from_bits<S>(bits(s) ^ change), from_bits<S>(bits(c) ^ change ^ odd_sign)};
 }
 
 // Of two angles: a plain number puts them in two lanes, which takes as long as one.
