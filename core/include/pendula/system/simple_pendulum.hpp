@@ -1,46 +1,27 @@
-// The simple pendulum, θ̈ = −(g/L) sin θ: a point mass on a massless rod, any angle.
+// The simple pendulum, θ̈ = −(g/L) sin θ, any angle: Herrera et al. (2024), eq. 5.
 #pragma once
 
-#include "pendula/scalar/sincos.hpp"
-#include "pendula/system/parameter.hpp"
+#include "pendula/system/one_bob.hpp"
 
 namespace pendula {
 
-struct simple_pendulum {
+struct simple_pendulum : one_bob {
   static constexpr std::string_view name = "simple";
-  static constexpr std::array components{
-      component{"theta", "rad", 0.5235987755982989, "angle from the downward vertical, counter-clockwise"},  // 30°
-      component{"omega", "rad/s", 0.0, "angular velocity"}};
-  static constexpr std::array parameters{parameter{"length", "m", 1.0, false, "length from pivot to bob"}, gravity_row,
-                                         parameter{"mass", "kg", 1.0, false, "mass of the bob"}};
-  static constexpr std::array forms{form{"", "point mass on a massless rod", parameters}};
 
   template <class S>
-  struct over {
-    using scalar = S;
-    static constexpr std::size_t dimension = 2;
-    using state = vec<S, dimension>;
+  struct over : one_bob::over<S> {
+    using state = typename one_bob::over<S>::state;
 
-    S length, gravity, mass;
-    S frequency_squared = gravity / length;
+    PENDULA_INLINE state rhs(const state& y) const { return {y[1], -(this->frequency_squared * sincos(y[0]).sin)}; }
 
-    PENDULA_INLINE state rhs(const state& y) const { return {y[1], -(frequency_squared * sincos(y[0]).sin)}; }
-
-    S kinetic_energy(const state& y) const { return S(0.5) * mass * (length * y[1]) * (length * y[1]); }
-    S potential_energy(const state& y) const { return mass * gravity * length * one_minus_cos(y[0]); }
-    std::array<constant<S>, 2> constants() const {
-      return {{{"natural_frequency_squared", frequency_squared}, {"energy_scale", mass * gravity * length}}};
-    }
-
-    std::array<vec<S, 2>, 1> positions(const state& y) const {
-      const auto [s, c] = sincos(y[0]);
-      return {{{length * s, -(length * c)}}};
+    S potential_energy(const state& y) const {  // eq. 4, with the L it lost
+      return this->mass * this->gravity * this->length * one_minus_cos(y[0]);
     }
   };
 
   template <class S>
   static over<S> make(std::size_t, const S* p) {
-    return {p[0], p[1], p[2]};
+    return {{p[0], p[1], p[2]}};
   }
 };
 
