@@ -169,6 +169,18 @@ def test_dense_output_is_refused_where_there_is_none() -> None:
         solve(SIMPLE, (1.0, 0.0), 1.0, "rk4", step=0.1).at(0.5)
 
 
+def test_progress_is_told_and_may_end_the_run() -> None:
+    told: list[float] = []
+    solve(SIMPLE, (1.0, 0.0), [1.0], "rk4", step=1e-5, progress=told.append)
+    assert told == pytest.approx([n * 2**14 / 100_000 for n in range(1, 7)])
+
+    def enough(share: float) -> None:
+        raise RuntimeError(f"stopped at {share}")
+
+    with pytest.raises(RuntimeError, match=r"stopped at 0\.16384"):
+        solve(SIMPLE, (1.0, 0.0), [1.0], "rk4", step=1e-5, progress=enough)
+
+
 def test_an_interrupt_ends_a_long_run() -> None:
     """A run of a day ends when it is interrupted, with Python's own exception."""
     code = (

@@ -15,17 +15,25 @@ using pendula::fixed_output;
 
 namespace {
 
-// Python's signal handlers run here; one that raises ends the run.
-bool no_signal() {
-  nb::gil_scoped_acquire held;
-  return PyErr_CheckSignals() == 0;
-}
+// Python's signal handlers run here, and its progress is told; either ends the run by raising.
+struct attendance {
+  nb::object progress;
+
+  bool operator()(std::int64_t steps) const {
+    nb::gil_scoped_acquire held;
+    if (PyErr_CheckSignals() != 0) return false;
+    if (progress.is_none()) return true;
+    const auto answer = nb::steal(PyObject_CallFunction(progress.ptr(), "L", static_cast<long long>(steps)));
+    return answer.is_valid();
+  }
+};
 
 struct run_arguments {
   std::vector<double> state;
   double step;
   std::int64_t step_limit;
   const std::vector<fixed_output>& outputs;
+  const attendance& go_on;
 };
 
 template <class Method, class Sys>
@@ -37,13 +45,14 @@ pendula::lane_result run(const Sys& system, const run_arguments& given, double* 
   const auto sink = [&](std::size_t i, const auto& y) { std::ranges::copy(y, states + i * Sys::dimension); };
   nb::gil_scoped_release released;
   pendula::fixed_run<Method, Sys> drive(system, start, given.step, given.step_limit);
-  return drive.through(given.outputs, sink, no_signal)[0];
+  return drive.through(given.outputs, sink, given.go_on)[0];
 }
 
 // (times, states, outcome, steps): times (n,) and states (n, d) hold room for every output, of which `outputs` were
 // reached.
 auto solve_fixed(const description& d, const std::string& method, const std::vector<double>& state, double t0,
-                 double step, std::int64_t step_limit, const array_in& times, bool own_steps) {
+                 double step, std::int64_t step_limit, const array_in& times, bool own_steps, nb::object progress) {
+  const attendance go_on{std::move(progress)};
   const auto plan = own_steps ? pendula::own_steps(t0, step, times.data()[0])
                               : pendula::requested_times(t0, step, {times.data(), times.shape(0)});
   new_array t({plan.outputs.size()}), states({plan.outputs.size(), state.size()});
@@ -51,7 +60,7 @@ auto solve_fixed(const description& d, const std::string& method, const std::vec
   pendula::lane_result result;
   with_system(d, [&](const auto& system) {
     const bool found = pendula::with<pendula::methods>(method, [&]<class Method>() {
-      result = run<Method>(system, {state, step, step_limit, plan.outputs}, states.data);
+      result = run<Method>(system, {state, step, step_limit, plan.outputs, go_on}, states.data);
     });
     if (!found) throw nb::value_error("no such method in the catalogue");
   });
@@ -64,7 +73,7 @@ auto solve_fixed(const description& d, const std::string& method, const std::vec
 void bind_solve(nb::module_& m) {
   m.def(
       "solve_fixed", &solve_fixed, "description"_a, "method"_a, "state"_a, "t0"_a, "step"_a, "step_limit"_a, "times"_a,
-      "own_steps"_a,
+      "own_steps"_a, "progress"_a.none(),
       "Times, states, how many of both were reached, how the run ended, and steps taken. `step` is negative for a run "
       "backward; with own_steps the one time is the end.");
 }

@@ -54,7 +54,7 @@ void run(std::size_t form, int first, std::vector<std::vector<double>>& numbers)
             for (const auto& point : system.positions(y))
               for (const S& coordinate : point) keep(coordinate);
           },
-          [] { return true; });
+          [](auto) { return true; });
 }
 
 template <class S>

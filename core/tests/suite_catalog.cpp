@@ -35,7 +35,7 @@ typename Sys::state at(const Sys& system, const typename Sys::state& start, doub
   typename Sys::state end{};
   const fixed_output last[] = {{steps, 0.0}};
   fixed_run<Method, Sys>(system, start, t / static_cast<double>(steps), steps)
-      .through(last, [&](std::size_t, const auto& y) { end = y; }, [] { return true; });
+      .through(last, [&](std::size_t, const auto& y) { end = y; }, [](auto) { return true; });
   return end;
 }
 

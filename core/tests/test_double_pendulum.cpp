@@ -66,7 +66,7 @@ BOOST_AUTO_TEST_CASE(rk4_reaches_the_reference) {
   pendula::fixed_run<pendula::rk4, over> run(system, {2.0, 2.5, 0.0, 0.0}, 1e-4, 100000);
   over::state at_five{};
   const pendula::fixed_output outputs[] = {{50000, 0.0}};
-  run.through(outputs, [&](std::size_t, const over::state& y) { at_five = y; }, [] { return true; });
+  run.through(outputs, [&](std::size_t, const over::state& y) { at_five = y; }, [](auto) { return true; });
   const double want[] = {0.205462239524980870, -7.52104212191582645, 1.68158668590311311, 11.7276651341110641};
   for (int i = 0; i < 4; ++i) BOOST_TEST(std::fabs(at_five[i] - want[i]) < 1e-9);
 }

@@ -12,7 +12,7 @@ using harmonic = linear_pendulum::over<double>;
 namespace {
 
 const double unit[] = {1.0, 1.0, 1.0};
-const auto always = [] { return true; };
+const auto always = [](auto) { return true; };
 const auto nowhere = [](std::size_t, const auto&) {};
 
 }  // namespace

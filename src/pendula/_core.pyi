@@ -32,7 +32,7 @@ def positions(description: Description, states: Annotated[NDArray[numpy.float64]
 def constants(description: Description) -> dict[str, float]:
     """The constants that the equations of motion are written in."""
 
-def solve_fixed(description: Description, method: str, state: Sequence[float], t0: float, step: float, step_limit: int, times: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], own_steps: bool) -> tuple[NDArray[numpy.float64], NDArray[numpy.float64], int, str, int]:
+def solve_fixed(description: Description, method: str, state: Sequence[float], t0: float, step: float, step_limit: int, times: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], own_steps: bool, progress: object | None) -> tuple[NDArray[numpy.float64], NDArray[numpy.float64], int, str, int]:
     """
     Times, states, how many of both were reached, how the run ended, and steps taken. `step` is negative for a run backward; with own_steps the one time is the end.
     """

@@ -11,6 +11,8 @@ from pendula.systems import LinearPendulum, SimplePendulum, System
 from pendula.trajectory import Request, Trajectory, exact_states
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     import numpy as np
     from numpy.typing import ArrayLike, NDArray
 
@@ -73,6 +75,7 @@ def solve(
     t0: float = 0.0,
     step: float | None = None,
     max_steps: int | None = None,
+    progress: Callable[[float], None] | None = None,
 ) -> Trajectory:
     """The motion step by step.
 
@@ -86,6 +89,7 @@ def solve(
         t0: time of the state [s].
         step: of a fixed-step method, positive [s].
         max_steps: most steps allowed; a run that needs more ends as "step_limit".
+        progress: told the part of a long run that is done, 0 to 1, every few milliseconds.
 
     Returns:
         The trajectory; its `outcome` says how the run ended, and its times what was reached.
@@ -104,15 +108,23 @@ def solve(
     times, own_steps = _output_times(t, origin)
     size = _step_size(method, step, float(times[-1]) - origin)
     end = float(times[0]) if own_steps else None
-    return _solve_fixed(system, method, times, Request(start, origin, end, size, max_steps))
+    asked = Request(start, origin, end, size, max_steps)
+    return _solve_fixed(system, method, times, asked, progress)
 
 
-def _solve_fixed(system: System, method: str, times: Array, asked: Request) -> Trajectory:
+def _solve_fixed(
+    system: System,
+    method: str,
+    times: Array,
+    asked: Request,
+    progress: Callable[[float], None] | None,
+) -> Trajectory:
     """Run a checked request on the grid of its step."""
     size, span = asked.step or 0.0, float(times[-1]) - asked.t0
-    if asked.end is not None and abs(span) / size > MOST_OUTPUTS:
+    whole = abs(span) / size
+    if asked.end is not None and whole > MOST_OUTPUTS:
         raise ValueError(
-            f"step = {size!r} s makes {abs(span) / size:.3g} outputs up to t = {asked.end:g} s; "
+            f"step = {size!r} s makes {whole:.3g} outputs up to t = {asked.end:g} s; "
             "give output times, such as t=numpy.linspace(t0, t_end, 1001), or a larger step"
         )
     t, states, reached, outcome, steps = _engine.solve_fixed(
@@ -124,6 +136,7 @@ def _solve_fixed(system: System, method: str, times: Array, asked: Request) -> T
         _step_limit(asked.max_steps),
         times,
         asked.end is not None,
+        None if progress is None else lambda steps: progress(steps / whole),
     )
     evaluations = {each.name: each.evaluations_per_step for each in methods()}[method]
     return Trajectory(

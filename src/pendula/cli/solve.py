@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import math
 import sys
-from contextlib import contextmanager
+from contextlib import nullcontext
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
 import click
@@ -12,6 +13,7 @@ import click
 from pendula import _engine
 from pendula.cli.groups import all_systems, one_each
 from pendula.cli.options import start_of, start_options, system_of, system_options, value
+from pendula.cli.progress import progress_bar
 from pendula.cli.run import (
     check_count,
     check_outcome,
@@ -26,8 +28,6 @@ from pendula.cli.run import (
 )
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
-
     import numpy as np
     from numpy.typing import NDArray
 
@@ -62,10 +62,15 @@ def _solve(entry: SystemEntry, **given: Any) -> None:
     step = positive_number("--step", seconds(given["step"], "--step"), "s")
     out = target(given["out"], force=given["force"])
     times = _times(t0, until, step, given["every"], thin=out is None)
-    with _waiting(abs(until - t0) / step, given["method"]):
-        run = solve(system, start, times, given["method"], t0=t0, step=step)
+    with progress_bar() if _is_long(abs(until - t0) / step) else nullcontext() as told:
+        progress = None if told is None else partial(told, given["method"])
+        run = solve(system, start, times, given["method"], t0=t0, step=step, progress=progress)
     check_outcome(run, until)
     deliver(run, out, force=given["force"])
+
+
+def _is_long(steps: float) -> bool:
+    return steps >= _LONG and sys.stderr.isatty()
 
 
 def _times(
@@ -85,18 +90,6 @@ def _times(
         return spaced(t0, until, step * math.ceil(span / step / _SHOWN))
     check_count(span, step, "--step")
     return until
-
-
-@contextmanager
-def _waiting(steps: float, method: str) -> Iterator[None]:
-    """Show on a terminal that a long run is under way."""
-    if steps < _LONG or not sys.stderr.isatty():
-        yield
-        return
-    from rich.console import Console
-
-    with Console(stderr=True).status(f"{method}: {steps:.3g} steps; Ctrl-C ends the run"):
-        yield
 
 
 command = one_each("solve", "Solve a motion step by step.", all_systems(), _options, _solve)

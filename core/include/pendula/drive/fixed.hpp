@@ -76,7 +76,7 @@ class fixed_run {
       : system_(system), y_(start), step_(step), step_limit_(step_limit) {}
 
   // Runs through `outputs` (their steps do not decrease) and hands each state to sink(index, state); a lane that
-  // has ended hands on NaN. go_on() is asked every 2^14 steps; false ends the run as interrupted.
+  // has ended hands on NaN. go_on(steps taken) is asked every 2^14 steps; false ends the run as interrupted.
   template <class Sink, class Poll>
   results through(std::span<const fixed_output> outputs, Sink&& sink, Poll&& go_on) {
     end_lanes_not_finite(y_);
@@ -111,7 +111,7 @@ class fixed_run {
         end_all(outcome::step_limit);
       } else {
         step_until(until);
-        if (steps_ == due && !go_on()) end_all(outcome::interrupted);
+        if (steps_ == due && !go_on(steps_)) end_all(outcome::interrupted);
       }
       if (running_ == 0) return false;
     }
