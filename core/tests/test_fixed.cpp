@@ -28,6 +28,8 @@ BOOST_AUTO_TEST_CASE(times_on_the_grid_need_no_shortened_step) {
   BOOST_TEST(nearly.rest == 0.0);
   const auto just_off = place_on_grid(0.3 + 2e-10, 0.0, 0.1);
   BOOST_TEST(just_off.rest > 0.0);
+  const auto after_many = place_on_grid(299.0, 0.0, 1e-5);  // 1e-5 is not 10^-5: 4e-9 of a step off
+  BOOST_TEST(after_many.rest == 0.0);
   const auto backward = place_on_grid(0.63, 1.0, -0.1);
   BOOST_TEST(backward.steps == 3);
   BOOST_TEST(std::fabs(backward.rest + 0.07) < 1e-15);

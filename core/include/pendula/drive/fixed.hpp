@@ -23,7 +23,9 @@ inline constexpr double most_steps = 0x1p53;  // whole numbers are exact up to h
 // Where time t lies on the grid of steps h (negative: backward) from t0. |t − t0| / |h| must not pass most_steps.
 inline fixed_output place_on_grid(double t, double t0, double h) {
   const double position = (t - t0) / h, nearest = std::nearbyint(position);
-  if (std::fabs(position - nearest) <= on_grid) return {static_cast<std::int64_t>(nearest), 0.0};
+  // a step such as 1e-5 is itself rounded: after many of them a multiple of it is off by as many roundings
+  if (std::fabs(position - nearest) <= on_grid + 0x1p-52 * std::fabs(nearest))
+    return {static_cast<std::int64_t>(nearest), 0.0};
   const double whole = std::floor(position);
   return {static_cast<std::int64_t>(whole), (t - t0) - whole * h};
 }
