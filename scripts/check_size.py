@@ -17,7 +17,8 @@ def tracked() -> list[Path]:
         text=True,
         check=True,
     )
-    return [path for path in map(Path, listing.stdout.splitlines()) if path.exists()]
+    paths = map(Path, listing.stdout.splitlines())
+    return [path for path in paths if path.exists() and "reference" not in path.parts]
 
 
 def too_long(path: Path) -> list[str]:

@@ -6,7 +6,7 @@ from mpmath import mp, mpf
 
 import pendula
 from pendula import DoublePendulum, LinearPendulum, SimplePendulum, exact
-from reference import cases
+from stored import cases
 
 
 @pytest.mark.parametrize(("theta0", "omega0"), [(0.3, 0.0), (-2.0, 1.5), (0.0, -4.0), (0.0, 0.0)])
@@ -117,6 +117,24 @@ def test_what_has_no_closed_form_here_is_refused() -> None:
         exact(SimplePendulum(), (1.0, 0.0), [1.0, math.nan])
     with pytest.raises(ValueError, match="^system must be a pendulum"):
         exact("simple", (1.0, 0.0), 1.0)  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize(
+    ("state", "t", "message"),
+    [
+        ((1e17, 0.0), 1.0, r"^state must have an angle below 2\^26 rad"),
+        ((1.0, 0.0), 1e17, r"^t must lie within 2\.81e\+12 s of t0"),
+    ],
+)
+def test_what_double_precision_cannot_tell_is_refused(
+    state: tuple[float, float], t: float, message: str
+) -> None:
+    with pytest.raises(ValueError, match=message):
+        exact(SimplePendulum(), state, t)
+
+
+def test_no_states_give_no_motions() -> None:
+    assert exact(SimplePendulum(), np.zeros((0, 2)), [0.0, 1.0]).states.shape == (0, 2, 2)
 
 
 def test_small_angles_are_linear() -> None:

@@ -23,6 +23,13 @@ RUNS = {
     ),
     "backward": lambda: solve(SimplePendulum(), (1, 0), -1.0, "euler", t0=0.1, step=0.01),
     "limited": lambda: solve(SimplePendulum(), (1, 0), 1.0, "rk4", step=0.01, max_steps=7),
+    "limited times": lambda: solve(
+        SimplePendulum(), (1, 0), [0.2, 0.25, 0.7], "rk4", step=0.1, max_steps=3
+    ),
+    "no time": lambda: solve(SimplePendulum(), (1, 0), [0.5, 1], "rk4", step=0.1, max_steps=3),
+    "blown up": lambda: solve(
+        DoublePendulum.rods(), (2, 1, 0, 0), np.arange(1.0, 50.0), "euler", step=1
+    ),
     "exact": lambda: exact(SimplePendulum(0.3), (2.9, 0), np.linspace(0, 9, 40), t0=0.5),
     "linear": lambda: exact(LinearPendulum(0.3), (0.1, 0.7), [5.0, 1.0]),
 }
@@ -42,9 +49,10 @@ def same(a: Trajectory, b: Trajectory) -> None:
     assert a.t.tobytes() == b.t.tobytes()
     assert a.states.tobytes() == b.states.tobytes()
     assert a.request.state.tolist() == b.request.state.tolist()
-    assert (a.request.t0, a.request.end, a.request.step, a.request.max_steps) == (
-        b.request.t0, b.request.end, b.request.step, b.request.max_steps,
+    assert (a.request.t0, a.request.step, a.request.max_steps) == (
+        b.request.t0, b.request.step, b.request.max_steps,
     )  # fmt: skip
+    assert np.asarray(a.request.t).tolist() == np.asarray(b.request.t).tolist()
 
 
 @every_run
@@ -108,18 +116,50 @@ def test_another_ending_is_refused(name: str, tmp_path: Path) -> None:
         pendula.load(tmp_path / name)
 
 
-def test_what_pendula_did_not_write_is_refused(tmp_path: Path) -> None:
+HEAD = json.dumps({"pendula": "0", "system": SimplePendulum().description(), "method": "rk4",
+                   "state": [1.0, 0.0], "t": 1.0, "t0": 0.0, "step": 0.1, "max_steps": None,
+                   "outcome": "reached_end", "n_steps": 1, "n_evaluations": 4})  # fmt: skip
+COLUMNS = "t [s],theta [rad],omega [rad/s]"
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ("a,b\n1,2\n", "was not written by pendula"),
+        (f'# pendula: {{"system": 3}}\n{COLUMNS}\n0,1,2\n', "does not hold a trajectory"),
+        (f"# pendula: {HEAD}\n", "is not whole"),
+        (f"# pendula: {HEAD}\n{COLUMNS}\n0,1,2\n1,2\n", "is not whole"),
+        (f"# pendula: {HEAD}\n{COLUMNS}\n0,1,abc\n", "something else than numbers: .*abc"),
+        (f"# pendula: {HEAD}\nt [s],x [m]\n0,1\n", "lacks the columns"),
+        (f"# pendula: {HEAD.replace('rk4', 'rk5')}\n{COLUMNS}\n0,1,2\n", "method must be one of"),
+        (f"# pendula: {HEAD.replace('[1.0, 0.0]', '[1.0]')}\n{COLUMNS}\n0,1,2\n", "components"),
+    ],
+)
+def test_a_spoilt_file_is_refused_by_name(text: str, message: str, tmp_path: Path) -> None:
     path = tmp_path / "other.csv"
-    path.write_text("a,b\n1,2\n", encoding="utf-8")
-    with pytest.raises(ValueError, match=r"other\.csv was not written by pendula"):
+    path.write_text(text, encoding="utf-8")
+    with pytest.raises(ValueError, match=message) as error:
         pendula.load(path)
-    path.write_text(
-        '# pendula: {"system": 3}\nt [s],theta [rad],omega [rad/s]\n0,1,2\n', encoding="utf-8"
-    )
-    with pytest.raises(ValueError, match="does not hold a trajectory"):
+    assert str(path) in str(error.value)
+
+
+def test_a_whole_file_of_that_kind_is_read(tmp_path: Path) -> None:
+    path = tmp_path / "other.csv"
+    path.write_text(f"# pendula: {HEAD}\n{COLUMNS}\n0,1,2\n", encoding="utf-8")
+    assert pendula.load(path).states.tolist() == [[1.0, 2.0]]
+
+
+@pytest.mark.parametrize("ending", [".nc", ".parquet", ".zarr"])
+def test_a_broken_binary_file_is_refused_by_name(ending: str, tmp_path: Path) -> None:
+    path = tmp_path / f"broken{ending}"
+    if ending == ".zarr":
+        path.mkdir()
+    else:
+        path.write_bytes(b"not a file of that format")
+    with pytest.raises(ValueError, match=f"broken{ending} cannot be read"):
         pendula.load(path)
     with pytest.raises(FileNotFoundError, match="no such file"):
-        pendula.load(tmp_path / "nowhere.nc")
+        pendula.load(tmp_path / f"nowhere{ending}")
 
 
 def test_an_unwritable_path_is_named(tmp_path: Path) -> None:

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from pendula import DoublePendulum, LinearPendulum, SimplePendulum, exact, methods, solve
-from reference import cases
+from stored import cases
 
 RODS = DoublePendulum.rods(gravity=9.81)
 SIMPLE = SimplePendulum(0.5, 9.81)
@@ -145,6 +145,11 @@ def test_the_step_limit() -> None:
         ({"state": (1.0, math.nan)}, r"^state must hold finite numbers, got nan at state\[1\]"),
         ({"t0": math.nan}, "^t0 must be a finite number"),
         ({"max_steps": 0}, "^max_steps must be a whole number"),
+        ({"max_steps": True}, "^max_steps must be a whole number"),
+        ({"step": "0.1"}, "^step must be a number"),
+        ({"step": 10**400}, "^step must be a finite number"),
+        ({"t": "1"}, "^t must hold numbers"),
+        ({"t0": 1e17, "t": 1e17 + 1600, "step": 1.0}, r"below the rounding of times"),
         ({"system": RODS}, r"^state must be \(theta1, theta2, omega1, omega2\)"),
     ],
 )
@@ -153,6 +158,16 @@ def test_bad_arguments_get_one_clear_line(change: dict[str, Any], message: str) 
     with pytest.raises(ValueError, match=message) as error:
         solve(**{**arguments, **change})
     assert "\n" not in str(error.value)
+
+
+def test_a_run_does_not_change_with_what_it_was_made_from() -> None:
+    start, times = np.array([1.0, 0.0]), np.array([0.5, 1.0])
+    runs = solve(SIMPLE, start, times, "rk4", step=0.1), exact(SIMPLE, start, times)
+    start[0] = times[0] = 9.0
+    for run in runs:
+        assert run.request.state.tolist() == [1.0, 0.0]
+        assert run.t.tolist() == [0.5, 1.0]
+        assert np.abs(run.energy_error).max() < 1e-3
 
 
 def test_energy_error_is_relative_and_has_a_scale_at_rest() -> None:

@@ -50,6 +50,14 @@ def test_a_description_is_frozen(system: System) -> None:
         system.mass = 3.0  # type: ignore[attr-defined]
 
 
+def test_parameters_are_attributes() -> None:
+    rods = DoublePendulum.rods(m1=3.0)
+    assert (rods.m1, rods.l2) == (3.0, 1.0)
+    assert BODIES.I1 == 0.05
+    with pytest.raises(AttributeError, match="no attribute 'c1'"):
+        rods.c1  # noqa: B018
+
+
 def test_different_systems_differ() -> None:
     assert len(set(ALL)) == len(ALL)
     assert len({LinearPendulum(), SimplePendulum()}) == 2

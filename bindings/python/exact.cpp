@@ -37,8 +37,12 @@ array_out over_moduli(const array_in& k, const array_in& kc, Function&& f) {
   return out.array;
 }
 
-// E = 2 R_G(0, kc², 1), DLMF 19.25.1.
-double complete_E(modulus m) { return 2.0 * boost::math::ellint_rg(0.0, m.kc * m.kc, 1.0, boost_policy()); }
+// E = 2 R_G(0, kc², 1), DLMF 19.25.1; where kc² is lost beside 1, its first terms, DLMF 19.12.2.
+double complete_E(modulus m) {
+  if (m.kc == 0.0) return 1.0;
+  if (m.kc < 0x1p-30) return 1.0 + 0.5 * m.kc * m.kc * (std::log(4.0 / m.kc) - 0.5);
+  return 2.0 * boost::math::ellint_rg(0.0, m.kc * m.kc, 1.0, boost_policy());
+}
 
 // F = 2 n K + sin φ R_F(cos² φ, cos² φ + kc² sin² φ, 1) with φ within half a turn of n π: DLMF 19.2.10, 19.25.5.
 double incomplete_F(double phi, modulus m) {
@@ -67,50 +71,46 @@ auto jacobi_arrays(const array_in& u, const array_in& k, const array_in& kc) {
   return std::tuple(am.array, sn.array, cn.array, dn.array);
 }
 
+auto moduli_of_amplitudes(const array_in& amplitude) {
+  new_array k({amplitude.shape(0)}), kc({amplitude.shape(0)});
+  for (std::size_t i = 0; i < amplitude.shape(0); ++i) {
+    const auto each = pendula::modulus_of_amplitude(amplitude.data()[i]);
+    k.data[i] = each.k;
+    kc.data[i] = each.kc;
+  }
+  return std::tuple(k.array, kc.array);
+}
+
+array_out exact_linear(double length, double gravity, double theta0, double omega0, const array_in& t) {
+  return trajectory(pendula::exact_linear(length, gravity, theta0, omega0), t);
+}
+
+array_out exact_simple(double length, double gravity, double theta0, const array_in& t) {
+  return trajectory(pendula::exact_simple(length, gravity, theta0), t);
+}
+
+array_out complete_K(const array_in& k, const array_in& kc) {
+  return over_moduli(k, kc, [](modulus each) { return pendula::complete_elliptic_K(each); });
+}
+
+array_out complete_K_series(const array_in& k, long terms) {
+  return over_moduli(k, k, [terms](modulus each) { return pendula::complete_elliptic_K_series(each.k, terms); });
+}
+
+array_out complete_E_array(const array_in& k, const array_in& kc) { return over_moduli(k, kc, complete_E); }
+
 }  // namespace
 
 void bind_exact(nb::module_& m) {
-  m.def(
-      "exact_linear",
-      [](double length, double gravity, double theta0, double omega0, const array_in& t) {
-        return trajectory(pendula::exact_linear(length, gravity, theta0, omega0), t);
-      },
-      "length"_a, "gravity"_a, "theta0"_a, "omega0"_a, "t"_a,
-      "States (n, 2) of the linear pendulum at times t after the start.");
-  m.def(
-      "exact_simple",
-      [](double length, double gravity, double theta0, const array_in& t) {
-        return trajectory(pendula::exact_simple(length, gravity, theta0), t);
-      },
-      "length"_a, "gravity"_a, "theta0"_a, "t"_a,
-      "States (n, 2) of the simple pendulum at times t after its release from rest.");
-  m.def(
-      "elliptic_K",
-      [](const array_in& k, const array_in& kc) {
-        return over_moduli(k, kc, [](modulus each) { return pendula::complete_elliptic_K(each); });
-      },
-      "k"_a, "kc"_a, "K by the arithmetic-geometric mean.");
-  m.def(
-      "elliptic_K_series",
-      [](const array_in& k, long terms) {
-        return over_moduli(k, k, [terms](modulus each) { return pendula::complete_elliptic_K_series(each.k, terms); });
-      },
-      "k"_a, "terms"_a, "The first terms of the power series of K.");
-  m.def(
-      "elliptic_E", [](const array_in& k, const array_in& kc) { return over_moduli(k, kc, complete_E); }, "k"_a, "kc"_a,
-      "The complete integral of the second kind.");
+  m.def("exact_linear", &exact_linear, "length"_a, "gravity"_a, "theta0"_a, "omega0"_a, "t"_a,
+        "States (n, 2) of the linear pendulum at times t after the start.");
+  m.def("exact_simple", &exact_simple, "length"_a, "gravity"_a, "theta0"_a, "t"_a,
+        "States (n, 2) of the simple pendulum at times t after its release from rest.");
+  m.def("elliptic_K", &complete_K, "k"_a, "kc"_a, "K by the arithmetic-geometric mean.");
+  m.def("elliptic_K_series", &complete_K_series, "k"_a, "terms"_a, "The first terms of the power series of K.");
+  m.def("elliptic_E", &complete_E_array, "k"_a, "kc"_a, "The complete integral of the second kind.");
   m.def("elliptic_F", &incomplete_F_array, "phi"_a, "k"_a, "kc"_a, "The incomplete integral of the first kind.");
   m.def("jacobi", &jacobi_arrays, "u"_a, "k"_a, "kc"_a, "am, sn, cn and dn.");
-  m.def(
-      "modulus_of_amplitude",
-      [](const array_in& amplitude) {
-        new_array k({amplitude.shape(0)}), kc({amplitude.shape(0)});
-        for (std::size_t i = 0; i < amplitude.shape(0); ++i) {
-          const auto each = pendula::modulus_of_amplitude(amplitude.data()[i]);
-          k.data[i] = each.k;
-          kc.data[i] = each.kc;
-        }
-        return std::tuple(k.array, kc.array);
-      },
-      "amplitude"_a, "k = |sin(amplitude/2)| and kc = |cos(amplitude/2)|.");
+  m.def("modulus_of_amplitude", &moduli_of_amplitudes, "amplitude"_a,
+        "k = |sin(amplitude/2)| and kc = |cos(amplitude/2)|.");
 }

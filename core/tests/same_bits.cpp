@@ -1,5 +1,6 @@
 // Runs the whole catalogue with 1, 2, 4 and 8 lanes and hashes every bit of every state, energy and position. Prints
-// the hash of each width; with a file as argument, compares them with the hash it holds, made once and for all.
+// the hash of each width; with a file as argument, compares them with the hash it holds, which changes only where the
+// arithmetic is changed on purpose.
 #include <cstdio>
 #include <cstring>
 #include <fstream>

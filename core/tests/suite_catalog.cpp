@@ -88,8 +88,7 @@ BOOST_AUTO_TEST_CASE(every_system_rests_at_the_lowest_point) {
   });
 }
 
-// The velocity of each end, by central differences of the positions along the flow, gives the potential energy's
-// change and the ends' distances stay what they are.
+// The ends are where the angles say: each as far from the one before as the rod is long, whatever the angles.
 BOOST_AUTO_TEST_CASE(every_system_keeps_its_lengths) {
   for_each_system([]<class Sys>(const Sys& system, const typename Sys::state& start) {
     const auto lengths = [&](const auto& y) {

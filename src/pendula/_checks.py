@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import importlib
 import math
+import operator
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
@@ -31,7 +32,11 @@ def extra(module: str, name: str) -> Any:
 def finite_number(name: str, value: object, unit: str = "") -> float:
     """`value` as a float that is neither infinite nor NaN."""
     try:
+        if isinstance(value, str | bytes | bool):
+            raise TypeError
         number = float(value)  # type: ignore[arg-type]
+    except OverflowError:
+        number = math.inf
     except (TypeError, ValueError):
         raise ValueError(f"{name} must be a number{_in(unit)}, got {value!r}") from None
     if not math.isfinite(number):
@@ -49,12 +54,15 @@ def positive_number(name: str, value: object, unit: str = "", *, zero: bool = Fa
 
 
 def finite_array(name: str, value: ArrayLike, unit: str = "") -> NDArray[np.float64]:
-    """`value` as a contiguous array of finite doubles."""
+    """`value` as a contiguous array of finite doubles, a copy that its owner cannot change."""
     import numpy as np
 
     try:
-        array = np.asarray(value, dtype=np.float64, order="C")
-    except (TypeError, ValueError):
+        array = np.array(value, order="C")
+        if array.dtype.kind not in "iuf" and array.size:
+            raise TypeError
+        array = array.astype(np.float64, copy=False)
+    except (OverflowError, TypeError, ValueError):
         raise ValueError(f"{name} must hold numbers{_in(unit)}, got {value!r}") from None
     bad = ~np.isfinite(array)
     if bad.any():
@@ -76,6 +84,19 @@ def states_array(value: ArrayLike, components: tuple[str, ...]) -> NDArray[np.fl
             f"got shape {states.shape}"
         )
     return states
+
+
+def whole_number(name: str, value: object, most: int) -> int:
+    """`value` as an int from 1 to `most`."""
+    try:
+        if isinstance(value, bool):
+            raise TypeError
+        number = operator.index(value)  # type: ignore[arg-type]
+    except TypeError:
+        raise ValueError(f"{name} must be a whole number of at least 1, got {value!r}") from None
+    if not 1 <= number <= most:
+        raise ValueError(f"{name} must be a whole number from 1 to {most}, got {number}")
+    return number
 
 
 def one_of(name: str, value: object, choices: Iterable[str]) -> str:

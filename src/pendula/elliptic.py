@@ -10,6 +10,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from pendula import _engine
+from pendula._checks import whole_number
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -89,21 +90,21 @@ def sncndn(
     return JacobiValues(*_over(_engine.jacobi, k, kc, u)[1:])
 
 
-def K_series(k: ArrayLike, terms: int) -> Any:
+def K_series(k: ArrayLike | None = None, terms: int = 0, *, kc: ArrayLike | None = None) -> Any:
     """The first `terms` terms of the power series of K, each from the one before (DLMF 19.5.1).
 
     Herrera et al. (2024), eq. 26. Slow as k → 1: use `K` to compute.
 
     Args:
         k: modulus, any shape.
-        terms: how many, at least 1.
+        terms: how many, from 1 to 10^9; the sum ends before where a term no longer changes it.
+        kc: complementary modulus, instead of k.
 
     Raises:
-        ValueError: as for `K`, or for fewer than one term.
+        ValueError: as for `K`, or for another number of terms.
     """
-    if isinstance(terms, bool) or int(terms) != terms or terms < 1:
-        raise ValueError(f"terms must be a whole number of at least 1, got {terms!r}")
-    return _over(lambda modulus, _: _engine.elliptic_K_series(modulus, int(terms)), k, None)
+    count = whole_number("terms", terms, 10**9)
+    return _over(lambda modulus, _: _engine.elliptic_K_series(modulus, count), k, kc)
 
 
 def _over(

@@ -6,7 +6,14 @@ import math
 from typing import TYPE_CHECKING
 
 from pendula import _engine
-from pendula._checks import finite_array, finite_number, one_of, positive_number, states_array
+from pendula._checks import (
+    finite_array,
+    finite_number,
+    one_of,
+    positive_number,
+    states_array,
+    whole_number,
+)
 from pendula.systems import LinearPendulum, SimplePendulum, System
 from pendula.trajectory import Request, Trajectory, exact_states
 
@@ -18,6 +25,8 @@ if TYPE_CHECKING:
 
     Array = NDArray[np.float64]
 
+LARGEST_ANGLE = 2.0**26  # of the core's sine [rad]
+LARGEST_PHASE = 2.0**43  # ωn t of the closed forms, good to 2^-53 of it: 1e-3 rad here
 MOST_STEPS = 2**53  # whole numbers are exact in a double up to here
 MOST_OUTPUTS = 10**8  # of a run's own steps: 3 to 4 GB of states
 
@@ -32,6 +41,7 @@ def exact(system: System, state: ArrayLike, t: ArrayLike, *, t0: float = 0.0) ->
 
     The linear pendulum for any start: Herrera et al. (2024), eq. 11. The simple pendulum for a
     release from rest, by Jacobi elliptic functions of modulus k = sin(θ0/2): eq. 21, corrected.
+    The error is a few roundings of the angle and of the phase ωn t: 1e-6 rad after 10^9 periods.
 
     Args:
         system: a LinearPendulum or SimplePendulum.
@@ -62,8 +72,25 @@ def exact(system: System, state: ArrayLike, t: ArrayLike, *, t0: float = 0.0) ->
         )
     origin = finite_number("t0", t0, "s")
     times = finite_array("t", t, "s").reshape(-1)
+    _check_phase(system, start, times - origin)
     states = exact_states(system, start, times - origin)
-    return Trajectory(system, "exact", times, states, Request(start, origin))
+    return Trajectory(system, "exact", times, states, Request(start, times, origin))
+
+
+def _check_phase(system: LinearPendulum | SimplePendulum, start: Array, elapsed: Array) -> None:
+    """Refuse what doubles cannot tell: turns or periods whose rounding reaches the motion."""
+    turns, phase = abs(start[..., 0]), system.natural_frequency * abs(elapsed)
+    if isinstance(system, SimplePendulum) and (turns >= LARGEST_ANGLE).any():
+        raise ValueError(
+            f"state must have an angle below 2^26 rad, got {float(turns.max())!r}; "
+            "take whole turns off"
+        )
+    if (phase >= LARGEST_PHASE).any():
+        latest = LARGEST_PHASE / system.natural_frequency
+        raise ValueError(
+            f"t must lie within {latest:.3g} s of t0, where its rounding is no part of a period; "
+            f"got t - t0 = {float(abs(elapsed).max())!r} s"
+        )
 
 
 def solve(
@@ -106,9 +133,9 @@ def solve(
         )
     origin = finite_number("t0", t0, "s")
     times, own_steps = _output_times(t, origin)
-    size = _step_size(method, step, float(times[-1]) - origin)
-    end = float(times[0]) if own_steps else None
-    asked = Request(start, origin, end, size, max_steps)
+    size = _step_size(method, step, origin, float(times[-1]))
+    limit = None if max_steps is None else whole_number("max_steps", max_steps, MOST_STEPS)
+    asked = Request(start, float(times[0]) if own_steps else times, origin, size, limit)
     return _solve_fixed(system, method, times, asked, progress)
 
 
@@ -122,9 +149,10 @@ def _solve_fixed(
     """Run a checked request on the grid of its step."""
     size, span = asked.step or 0.0, float(times[-1]) - asked.t0
     whole = abs(span) / size
-    if asked.end is not None and whole > MOST_OUTPUTS:
+    own_steps = isinstance(asked.t, float)
+    if own_steps and whole > MOST_OUTPUTS:
         raise ValueError(
-            f"step = {size!r} s makes {whole:.3g} outputs up to t = {asked.end:g} s; "
+            f"step = {size!r} s makes {whole:.3g} outputs up to t = {float(times[0]):g} s; "
             "give output times, such as t=numpy.linspace(t0, t_end, 1001), or a larger step"
         )
     t, states, reached, outcome, steps = _engine.solve_fixed(
@@ -133,9 +161,9 @@ def _solve_fixed(
         asked.state.tolist(),
         asked.t0,
         math.copysign(size, span),
-        _step_limit(asked.max_steps),
+        asked.max_steps or MOST_STEPS,
         times,
-        asked.end is not None,
+        own_steps,
         None if progress is None else lambda steps: progress(steps / whole),
     )
     evaluations = {each.name: each.evaluations_per_step for each in methods()}[method]
@@ -178,7 +206,8 @@ def _shortened(times: Array) -> str:
     return f"[{shown}{', …' if times.size > 4 else ''}]"
 
 
-def _step_size(method: str, step: float | None, span: float) -> float:
+def _step_size(method: str, step: float | None, t0: float, end: float) -> float:
+    span = end - t0
     if step is None:
         raise ValueError(
             f"step is needed by the fixed-step method {method!r}; give step=0.001 [s], say"
@@ -192,12 +221,9 @@ def _step_size(method: str, step: float | None, span: float) -> float:
         raise ValueError(
             f"step = {size!r} s is too small for a span of {abs(span)!r} s: over 2^53 steps"
         )
+    if t0 + size == t0 or end - math.copysign(size, span) == end:
+        raise ValueError(
+            f"step = {size!r} s is below the rounding of times near {max(abs(t0), abs(end))!r} s; "
+            "let t0 be 0, or take a larger step"
+        )
     return size
-
-
-def _step_limit(max_steps: int | None) -> int:
-    if max_steps is None:
-        return MOST_STEPS
-    if isinstance(max_steps, bool) or not isinstance(max_steps, int) or max_steps < 1:
-        raise ValueError(f"max_steps must be a whole number of at least 1, got {max_steps!r}")
-    return min(max_steps, MOST_STEPS)

@@ -30,14 +30,14 @@ class Request:
     Attributes:
         state: at time t0, (d,), or (m, d) for several exact solutions.
         t0: time of that state [s].
-        end: the one end time, where the output is the method's own steps; None: times were given.
+        t: the one end time, where the output is the method's own steps, or output times, (n,) [s].
         step: of a fixed-step method [s].
         max_steps: most steps allowed; None: no limit.
     """
 
     state: Array
+    t: float | Array
     t0: float = 0.0
-    end: float | None = None
     step: float | None = None
     max_steps: int | None = None
 
@@ -178,4 +178,6 @@ def exact_states(system: System, state: Array, elapsed: Array) -> Array:
             return _engine.exact_linear(length, gravity, theta, omega, elapsed)
         return _engine.exact_simple(length, gravity, theta, elapsed)
 
-    return one(state) if state.ndim == 1 else np.stack([one(start) for start in state])
+    if state.ndim == 1:
+        return one(state)
+    return np.array([one(start) for start in state]).reshape(len(state), elapsed.size, 2)

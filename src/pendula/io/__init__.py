@@ -5,9 +5,9 @@ from __future__ import annotations
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from pendula._checks import extra, one_of
+from pendula._checks import MissingExtraError, extra, one_of
 from pendula.io import files
-from pendula.io.recipe import attributes, from_attributes
+from pendula.io.recipe import NotATrajectoryError, attributes, from_attributes
 from pendula.io.tables import to_pandas, to_xarray
 from pendula.io.writing import refuse_existing, replacing
 
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
     from pendula.trajectory import Trajectory
 
-__all__ = ["check_target", "load", "rerun", "save", "to_pandas", "to_xarray"]
+__all__ = ["NotATrajectoryError", "check_target", "load", "rerun", "save", "to_pandas", "to_xarray"]
 
 
 def save(trajectory: Trajectory, path: str | PathLike[str], *, overwrite: bool = False) -> None:
@@ -59,7 +59,14 @@ def load(path: str | PathLike[str]) -> Trajectory:
     _, read = files.FORMATS[_ending(source)]
     if not source.exists():
         raise FileNotFoundError(f"no such file: {source}")
-    return from_attributes(*read(source), source)
+    try:
+        return from_attributes(*read(source), source)
+    except (MissingExtraError, NotATrajectoryError):
+        raise
+    except Exception as error:  # the formats' libraries raise whatever they like
+        raise NotATrajectoryError(
+            f"{source} cannot be read as a trajectory of pendula: {error}"
+        ) from error
 
 
 def rerun(path: str | PathLike[str]) -> Trajectory:
@@ -74,11 +81,10 @@ def rerun(path: str | PathLike[str]) -> Trajectory:
     asked = old.request
     if old.method == "exact":
         return exact(old.system, asked.state, old.t, t0=asked.t0)
-    t = old.t if asked.end is None else asked.end
     return solve(
         old.system,
         asked.state,
-        t,
+        asked.t,
         old.method,
         t0=asked.t0,
         step=asked.step,

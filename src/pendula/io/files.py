@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from pendula import _engine
 from pendula._checks import extra
+from pendula.io.recipe import NotATrajectoryError
 from pendula.io.tables import columns, one_motion, to_pandas, to_xarray
 
 if TYPE_CHECKING:
@@ -58,10 +59,19 @@ def _read_csv(path: Path) -> Read:
     with path.open(encoding="utf-8", newline="") as file:
         first = file.readline()
         if not first.startswith(MARK):
-            raise ValueError(f"{path} was not written by pendula: its first line lacks {MARK!r}")
-        rows = csv.reader(file)
-        header = next(rows)
-        values = np.array([[float(cell) for cell in row] for row in rows], dtype=np.float64)
+            raise NotATrajectoryError(
+                f"{path} was not written by pendula: its first line lacks {MARK!r}"
+            )
+        rows = list(csv.reader(file))
+    if not rows or any(len(row) != len(rows[0]) for row in rows):
+        raise ValueError(
+            f"{path} is not whole: its rows differ in length, or the header is missing"
+        )
+    try:
+        cells = [[float(cell) for cell in row] for row in rows[1:]]
+    except ValueError as error:
+        raise NotATrajectoryError(f"{path} holds something else than numbers: {error}") from None
+    header, values = rows[0], np.array(cells, dtype=np.float64)
     names = [name.partition(" [")[0] for name in header]
     table = {name: values[:, i] if values.size else np.empty(0) for i, name in enumerate(names)}
     return first[len(MARK) :], table["t"], _states(table, path)
@@ -75,7 +85,7 @@ def _states(table: Any, path: Path) -> Array:
         names = [each.name for each in entry.components]
         if all(name in table for name in names):
             return np.stack([np.asarray(table[name], dtype=np.float64) for name in names], axis=-1)
-    raise ValueError(f"{path} lacks the columns of a pendulum's states")
+    raise NotATrajectoryError(f"{path} lacks the columns of a pendulum's states")
 
 
 def _write_parquet(trajectory: Trajectory, attributes: str, path: Path) -> None:

@@ -6,6 +6,8 @@ import json
 from typing import TYPE_CHECKING, Any
 
 from pendula import __version__
+from pendula._checks import one_of
+from pendula._engine import methods
 from pendula.systems import system_from
 from pendula.trajectory import Request, Trajectory
 
@@ -18,6 +20,10 @@ if TYPE_CHECKING:
     Array = NDArray[np.float64]
 
 
+class NotATrajectoryError(ValueError):
+    """A file that does not hold a trajectory, or not all of one."""
+
+
 def attributes(trajectory: Trajectory) -> str:
     """One line of JSON; a float's shortest decimal form gives its bits back."""
     asked = trajectory.request
@@ -27,8 +33,8 @@ def attributes(trajectory: Trajectory) -> str:
             "system": trajectory.system.description(),
             "method": trajectory.method,
             "state": asked.state.tolist(),
+            "t": _asked_times(trajectory),
             "t0": asked.t0,
-            "end": asked.end,
             "step": asked.step,
             "max_steps": asked.max_steps,
             "outcome": trajectory.outcome,
@@ -39,11 +45,19 @@ def attributes(trajectory: Trajectory) -> str:
     )
 
 
+def _asked_times(trajectory: Trajectory) -> float | list[float] | None:
+    """The end, or the times; None: those that the file holds anyway."""
+    t = trajectory.request.t
+    if isinstance(t, float):
+        return t
+    return None if t.size == trajectory.t.size else t.tolist()
+
+
 def from_attributes(text: str, t: Array, states: Array, source: Path) -> Trajectory:
     """The trajectory of these attributes, times (n,) and states (n, d).
 
     Raises:
-        ValueError: where the attributes are not those of a trajectory.
+        NotATrajectoryError: where the attributes are not those of a trajectory.
     """
     import numpy as np
 
@@ -51,10 +65,15 @@ def from_attributes(text: str, t: Array, states: Array, source: Path) -> Traject
         known: dict[str, Any] = json.loads(text)
         system = system_from(known["system"])
         state = np.array(known["state"], dtype=np.float64)
-        request = Request(state, known["t0"], known["end"], known["step"], known["max_steps"])
+        asked = t if known["t"] is None else known["t"]
+        times = asked if isinstance(asked, float) else np.array(asked, dtype=np.float64)
+        request = Request(state, times, known["t0"], known["step"], known["max_steps"])
+        method = one_of("method", known["method"], ("exact", *(each.name for each in methods())))
+        if states.shape[-1] != state.shape[-1] or state.shape[-1] != len(system.components):
+            raise ValueError(f"states of {states.shape[-1]} components")
         counts = known["outcome"], known["n_steps"], known["n_evaluations"]
-        return Trajectory(system, known["method"], t, states, request, *counts)
-    except (AttributeError, KeyError, TypeError, json.JSONDecodeError) as error:
-        raise ValueError(
+        return Trajectory(system, method, t, states, request, *counts)
+    except (AttributeError, KeyError, TypeError, ValueError) as error:
+        raise NotATrajectoryError(
             f"{source} does not hold a trajectory of pendula: its attributes lack or spoil {error}"
         ) from None

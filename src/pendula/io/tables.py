@@ -43,7 +43,7 @@ def one_motion(trajectory: Trajectory, what: str) -> None:
     if trajectory.states.ndim != 2:
         raise ValueError(
             f"{what} takes one motion, got {trajectory.states.shape[0]}; "
-            "use to_xarray, or save them one by one"
+            "use to_xarray, save as .nc or .zarr, or save them one by one"
         )
 
 

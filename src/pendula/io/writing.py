@@ -26,7 +26,7 @@ def refuse_existing(target: Path, *, overwrite: bool) -> None:
     if not os.access(folder, os.W_OK):
         raise PermissionError(f"cannot write {target}: no permission to write in {folder}")
     if target.exists() and not overwrite:
-        raise FileExistsError(f"{target} exists; choose another name, or overwrite it (--force)")
+        raise FileExistsError(f"{target} exists; choose another name, or pass overwrite=True")
 
 
 @contextmanager

@@ -39,10 +39,10 @@ class DoublePendulum(System):
     def __post_init__(self) -> None:
         forms = tuple(each.name for each in _engine.system_entries()[self.name].forms)
         one_of("form", self.form, forms)
-        if len(self.values) != len(self._rows()):
+        if not isinstance(self.values, tuple) or len(self.values) != len(self._rows()):
             raise ValueError(
                 f"values must hold the {len(self._rows())} parameters of {self.form}, "
-                f"got {len(self.values)}; use DoublePendulum.{self.form}(...)"
+                f"got {self.values!r}; use DoublePendulum.{self.form}(...)"
             )
         checked = tuple(
             positive_number(row.name, value, row.unit, zero=row.zero_allowed)
@@ -107,6 +107,11 @@ class DoublePendulum(System):
     def parameters(self) -> dict[str, float]:
         """The parameters of the form by name, in SI units."""
         return dict(zip((row.name for row in self._rows()), self.values, strict=True))
+
+    def __getattr__(self, name: str) -> float:
+        if name.startswith("_") or name == "values" or name not in self.parameters:
+            raise AttributeError(f"{type(self).__name__} has no attribute {name!r}")
+        return self.parameters[name]
 
     def __repr__(self) -> str:
         arguments = ", ".join(f"{name}={value!r}" for name, value in self.parameters.items())

@@ -22,30 +22,16 @@ class exact_simple {
         elliptic_(m_) {}
 
   // With u = ωn t: sin(θ/2) = k sn(u + K) and cos(θ/2) = dn(u + K), so tan(θ/2) = (k/kc) cn u, which keeps its digits
-  // next to the turning points, and θ̇ = 2 ωn k cn(u + K) = −2 ωn k kc sn u/dn u. With v = K − |u| the same are
-  // k sn v/dn v and −2 ωn k cn v, which keep theirs next to the lowest point (DLMF table 22.4.3).
+  // next to the turning points, and θ̇ = 2 ωn k cn(u + K) = −2 ωn k kc sn u/dn u (DLMF table 22.4.3).
   void at(double t, double& theta, double& omega) const {
     if (t == 0.0 || m_.k == 0.0) {
       theta = theta0_;
       omega = 0.0;
       return;
     }
-    const double half_periods = std::nearbyint(frequency_ * t / elliptic_.half_period());
-    const double u = frequency_ * t - half_periods * elliptic_.half_period();
-    const double side = std::fmod(half_periods, 2.0) == 0.0 ? sign_ : -sign_;
-    const double v = 0.5 * elliptic_.half_period() - std::fabs(u);
-    double tangent, cosine;  // of θ/2, and cn(u + K) but for its sign
-    if (std::fabs(u) < v) {
-      const auto [am, sn, cn, dn] = elliptic_(u);
-      tangent = m_.k * cn / m_.kc;
-      cosine = m_.kc * sn / dn;
-    } else {
-      const auto [am, sn, cn, dn] = elliptic_(v);
-      tangent = m_.k * sn / dn;
-      cosine = std::copysign(cn, u);
-    }
-    theta = turns_ + side * 2.0 * std::atan(tangent);
-    omega = -side * 2.0 * frequency_ * m_.k * cosine;
+    const auto [am, sn, cn, dn] = elliptic_(frequency_ * t);
+    theta = turns_ + sign_ * 2.0 * std::atan(m_.k * cn / m_.kc);
+    omega = -sign_ * 2.0 * frequency_ * m_.k * m_.kc * sn / dn;
   }
 
  private:
