@@ -13,6 +13,7 @@ import pytest
 
 from pendula._engine import methods
 from pendula.cli import main
+from pendula.cli.wording import one_line
 from pendula.io import files
 
 if TYPE_CHECKING:
@@ -88,6 +89,7 @@ def told(arguments: list[str], code: int, capsys: pytest.CaptureFixture[str]) ->
         ("exact simple --at 1s --every 1s", "name the times with --at 1s,2s or with --until"),
         ("exact simple --at 0,5", "or 0.5 for one value with a decimal point"),
         ("exact simple --at 1s --omega 1", "the start must be a release from rest"),
+        ("exact simple --at 1s --theta 1e9", "the start must "),
         ("period simple", "Missing option '--amplitude'"),
         ("period simple --amplitude 30,60deg", "'30' in the list '30,60deg' has no unit"),
         ("period simple --amplitude 200deg", "--amplitude must lie within [-pi, pi] [rad]"),
@@ -112,6 +114,14 @@ def test_an_existing_result_is_told_with_the_way_out(
     line: str, capsys: pytest.CaptureFixture[str]
 ) -> None:
     assert "--force" in told(line.split(), 2, capsys)
+
+
+def test_force_is_offered_only_where_it_helps(capsys: pytest.CaptureFixture[str]) -> None:
+    assert "--force" not in told(f"study --out {EXISTING} --force".split(), 2, capsys)
+    error = FileExistsError("step is a folder; choose another name")
+    assert one_line(error) == "step is a folder; choose another name"
+    error = FileExistsError("x.csv exists; choose another name, or pass overwrite=True")
+    assert one_line(error) == "x.csv exists; choose another name, or pass --force"
 
 
 def test_a_bad_output_is_told_before_the_run(
@@ -145,6 +155,27 @@ def test_a_run_that_blows_up_says_when_and_leaves_no_file(
     assert "euler stopped after t = " in printed
     assert " of 1000 s with step 1 s: the numbers grew beyond all bounds" in printed
     assert "take a smaller --step" in printed
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        f"{SOLVE} --theta 1e9",
+        f"{SOLVE} --theta 67108864",
+        f"{SOLVE} --omega 1e9",
+        f"{SOLVE} --omega 1e200",
+        f"{SOLVE} --omega 1e9 --every 100ms -o x.csv",
+        f"{DOUBLE} --theta2 -1e9",
+    ],
+)
+def test_an_angle_beyond_the_sine_is_told(line: str, capsys: pytest.CaptureFixture[str]) -> None:
+    printed = told(line.split(), 1, capsys)
+    assert printed.endswith(": an angle left the range of the sine (2^26 rad)\n")
+
+
+def test_a_linear_run_that_blows_up_has_no_sine(capsys: pytest.CaptureFixture[str]) -> None:
+    line = "solve linear --method euler --step 1000s --until 1e9s"
+    assert "the numbers grew beyond all bounds" in told(line.split(), 1, capsys)
 
 
 def test_a_missing_extra_is_told_with_what_to_install(

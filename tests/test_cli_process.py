@@ -90,3 +90,42 @@ def test_a_curve_is_drawn_where_it_can_be_printed(encoding: str, drawn: bool) ->
     )
     assert ("│" in process.stdout.decode(encoding)) is drawn
     assert b"\x1b" not in process.stdout
+
+
+@pytest.mark.skipif(os.name != "posix", reason="no shell here")
+@pytest.mark.parametrize(
+    ("line", "closed", "code"),
+    [
+        ("solve simple --until 1s --step 1ms --method rk4", ">&-", 0),
+        ("--help", ">&-", 0),
+        ("solve simple --lenght 1", ">&- 2>&-", 2),
+        ("solve simple --lenght 1", "2>&-", 2),
+        ("solve simple --until 1s --step 1ms --method rk4 -o x.csv", ">&- 2>&-", 0),
+        ("solve simple --until 12s --step 1us --every 1s --method rk4 -o x.csv", "2>&-", 0),
+    ],
+)
+def test_a_closed_stream_is_no_error(line: str, closed: str, code: int, tmp_path: Path) -> None:
+    shell = ["sh", "-c", f'"$0" -m pendula {line} {closed}', sys.executable]
+    process = subprocess.run(shell, cwd=tmp_path, capture_output=True, text=True, check=False)
+    assert process.returncode == code
+    assert "Traceback" not in process.stderr
+    assert process.stdout.startswith("x.csv: 13 times" if "12s" in line else "")
+    assert code == 0 or process.stdout == ""
+
+
+@pytest.mark.parametrize(("columns", "width"), [("40", 40), ("200", 79), ("5", 30)])
+def test_curves_fit_the_terminal(columns: str, width: int) -> None:
+    process = subprocess.run(
+        [*COMMAND, *["exact", "simple", "--until", "1s"]],
+        env={**os.environ, "COLUMNS": columns, "PYTHONIOENCODING": "utf-8"},
+        capture_output=True,
+        check=True,
+    )
+    lines = process.stdout.decode().splitlines()
+    assert {len(line) for line in lines if "│" in line} == {width}
+
+
+def test_numbers_beyond_all_bounds_bring_no_warnings() -> None:
+    line = "solve linear --theta 1e300 --until 1s --step 1ms --method rk4"
+    process = subprocess.run([*COMMAND, *line.split()], capture_output=True, check=True)
+    assert process.stderr == b""

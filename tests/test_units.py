@@ -193,3 +193,9 @@ def test_everyday_units_do_not_load_pint() -> None:
         "quantity('3 inch', 'm', 'x'); assert 'pint' in sys.modules"
     )
     subprocess.run([sys.executable, "-c", code], check=True)
+
+
+def test_a_decimal_point_is_offered_only_after_a_bare_number() -> None:
+    with pytest.raises(ValueError, match="write 30deg,60deg") as error:
+        quantities("30deg,60", "rad", "--x")
+    assert "decimal" not in str(error.value)

@@ -108,7 +108,8 @@ def _check_list(entries: list[str], text: str, unit: str, name: str) -> None:
         return
     given = next((each["unit"] for each in found if each and each["unit"]), unit)
     each_its_own = ",".join(entry + given if entry in bare else entry for entry in entries)
-    one = ".".join(entries) if len(entries) == 2 and entries[1][:1].isdigit() else ""
+    halves = len(entries) == 2 and entries[0] in bare and entries[1][:1].isdigit()
+    one = ".".join(entries) if halves else ""
     decimal = f", or {one} for one value with a decimal point" if one.count(".") == 1 else ""
     raise ValueError(
         f"{name}: {bare[0]!r} in the list {_shown(text)} has no unit, each entry carries its own; "

@@ -35,7 +35,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
     except BaseException:  # a compiled module's import turns Ctrl-C into an error of its own
         if not interrupted:
             raise
-        print("pendula: interrupted", file=sys.stderr)
+        if sys.stderr is not None:  # print would take stdout in its place
+            print("pendula: interrupted", file=sys.stderr)
         return INTERRUPTED
     finally:
         if signal.getsignal(signal.SIGINT) is interrupt:

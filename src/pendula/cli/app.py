@@ -5,6 +5,8 @@ from __future__ import annotations
 import io
 import os
 import sys
+from contextlib import redirect_stderr, redirect_stdout
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 import click
@@ -45,6 +47,15 @@ for module in (solve, exact, period, methods, study):
 def run(arguments: Sequence[str] | None) -> int:
     """Run the command and return its exit code; Ctrl-C is left to the caller."""
     given = list(sys.argv[1:] if arguments is None else arguments) or ["--help"]
+    with (
+        Path(os.devnull).open("w", encoding="utf-8") as nowhere,  # a closed stream is None
+        redirect_stdout(sys.stdout or nowhere),
+        redirect_stderr(sys.stderr or nowhere),
+    ):
+        return _run(given)
+
+
+def _run(given: list[str]) -> int:
     if isinstance(sys.stdout, io.TextIOWrapper):
         sys.stdout.reconfigure(errors="replace")  # an ASCII terminal gets "?" for "§"
     try:

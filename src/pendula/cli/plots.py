@@ -13,7 +13,8 @@ if TYPE_CHECKING:
 
 _DOTS = np.array([[0x01, 0x08], [0x02, 0x10], [0x04, 0x20], [0x40, 0x80]])
 _EMPTY = 0x2800  # the braille character without a dot
-_MARGIN = 9  # for the numbers at the side
+_NUMBERS = 9  # characters for those at the side
+MARGIN = _NUMBERS + 2
 
 
 def curve(t: Array, y: Array, *, width: int = 68, height: int = 8) -> str:
@@ -30,9 +31,9 @@ def curve(t: Array, y: Array, *, width: int = 68, height: int = 8) -> str:
     cells = (dots.reshape(height, 4, width, 2) * _DOTS[:, np.newaxis, :]).sum(axis=(1, 3))
     lines = ["".join(chr(_EMPTY + int(cell)) for cell in row) for row in cells]
     labels = [f"{high:.4g}", *[""] * (height - 2), f"{low:.4g}"]
-    body = [f"{label:>{_MARGIN}} │{line}" for label, line in zip(labels, lines, strict=True)]
+    body = [f"{label:>{_NUMBERS}} │{line}" for label, line in zip(labels, lines, strict=True)]
     first, last = f"{t[0]:g}", f"{t[-1]:g} s"
-    return "\n".join([*body, f"{'':{_MARGIN}}  {first}{last:>{width - len(first)}}"])
+    return "\n".join([*body, f"{'':{_NUMBERS}}  {first}{last:>{width - len(first)}}"])
 
 
 def _drawn(t: Array, y: Array, columns: int, rows: int) -> NDArray[np.bool_]:

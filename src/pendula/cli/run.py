@@ -19,9 +19,9 @@ if TYPE_CHECKING:
     Array = NDArray[np.float64]
 
 _ON_GRID = 1e-9  # of a spacing: an end nearer to the grid lies on it
-_WHY = {
-    "not_finite": "the numbers grew beyond all bounds; take a smaller --step or a higher order",
-}
+_SINE_ENDS = 2.0**26  # rad
+_GREW = "the numbers grew beyond all bounds; take a smaller --step or a higher order"
+_OUT_OF_RANGE = "an angle left the range of the sine (2^26 rad)"
 
 
 def start_time() -> click.Option:
@@ -132,16 +132,37 @@ def check_outcome(run: Trajectory, until: float) -> None:
         last = f"{run.t[-1]:.6g}" if run.t.size else f"{run.request.t0:g}"
         raise click.ClickException(
             f"{run.method} stopped after t = {last} s of {until:g} s "
-            f"with step {run.request.step:g} s: {_WHY.get(run.outcome, run.outcome)}"
+            f"with step {run.request.step:g} s: {_why(run, until)}"
         )
+
+
+def _why(run: Trajectory, until: float) -> str:
+    """What ended a run: an angle as large as its speed makes it, or a method that blew up."""
+    if run.outcome != "not_finite":
+        return run.outcome
+    import numpy as np
+
+    from pendula.systems import LinearPendulum
+
+    if isinstance(run.system, LinearPendulum):  # takes no sine
+        return _GREW
+    last, t = (run.states[-1], run.t[-1]) if run.t.size else (run.request.state, run.request.t0)
+    angles, speeds = np.split(np.abs(last), 2)
+    with np.errstate(over="ignore", invalid="ignore"):
+        turned = (angles + speeds * abs(until - t) >= _SINE_ENDS).any()
+        grew = (np.abs(run.energy_error) > 1.0).any()
+    return _OUT_OF_RANGE if turned and not grew else _GREW
 
 
 def deliver(run: Trajectory, out: Path | None, *, force: bool, every_row: bool = False) -> None:
     """Write a run, or print some of its rows."""
+    import numpy as np
+
     from pendula.cli.tables import show, summary
 
-    if out is None:
-        show(run, every_row=every_row)
-        return
-    run.save(out, overwrite=force)
-    click.echo(f"{out}: {len(run.t)} times; {summary(run)}")
+    with np.errstate(over="ignore", invalid="ignore"):  # of energies: the numbers tell it better
+        if out is None:
+            show(run, every_row=every_row)
+            return
+        run.save(out, overwrite=force)
+        click.echo(f"{out}: {len(run.t)} times; {summary(run)}")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shutil
 import sys
 from typing import TYPE_CHECKING
 
@@ -16,6 +17,7 @@ if TYPE_CHECKING:
 
 ROWS = 11  # of a run: ten intervals
 _ENOUGH_FOR_A_CURVE = 20
+_NARROWEST, _WIDEST = 30, 79  # characters of a curve with its margin
 
 
 def table(header: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
@@ -81,13 +83,14 @@ def _rows_of(run: Trajectory, *, every_row: bool) -> str:
 
 
 def _curves(run: Trajectory) -> None:
-    from pendula.cli.plots import curve
+    from pendula.cli.plots import MARGIN, curve
 
     components = _engine.system_entries()[run.system.name].components
     angles = components[: len(components) // 2]
+    width = max(_NARROWEST, min(shutil.get_terminal_size().columns, _WIDEST)) - MARGIN
     for i, row in enumerate(angles):
         click.secho(f"\n{row.name} [{row.unit}]", dim=True)
-        click.echo(curve(run.t, run.states[:, i], height=10 // len(angles)))
+        click.echo(curve(run.t, run.states[:, i], width=width, height=10 // len(angles)))
     click.echo()
 
 

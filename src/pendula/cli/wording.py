@@ -12,6 +12,8 @@ _OTHER_NAMES = {"t": "--until", "state": "the start", "step": "--step", "amplitu
 _CALLS = {  # what Python would be told to write
     "; for a motion over the top give state=(theta0, omega0)": "",
     "use solve": "use pendula solve",
+    "overwrite=True": "--force",
+    "another folder or overwrite it": "another folder or pass --force",
 }
 
 
@@ -23,10 +25,10 @@ def one_line(error: Exception) -> str:
         return "not enough memory; ask for fewer outputs with a larger --every"
     if isinstance(error, OSError) and error.strerror:
         return f"{error.filename}: {error.strerror}" if error.filename else error.strerror
-    message = _joined(_with_option_names(str(error)))
-    if isinstance(error, FileExistsError) and "--force" not in message:
-        message += " (--force)"
-    return message
+    message = str(error) if isinstance(error, OSError) else _with_option_names(str(error))
+    for call, words in _CALLS.items():
+        message = message.replace(call, words)
+    return _joined(message)
 
 
 def _with_option_names(message: str) -> str:
@@ -35,8 +37,6 @@ def _with_option_names(message: str) -> str:
     if rest.startswith((" must ", " is ", " = ")):
         option = f"--{name}" if name in _option_names() else name
         message = _OTHER_NAMES.get(name, option) + rest
-    for call, words in _CALLS.items():
-        message = message.replace(call, words)
     return message
 
 
