@@ -182,6 +182,21 @@ def test_errors_past_all_bounds_do_not_flatten_the_others() -> None:
     assert 1e3 < high < 1e11
 
 
+def test_slopes_stand_off_the_axis() -> None:
+    steps = np.geomspace(0.01, 0.01 / 128, 8)
+    case = {
+        m: (e, convergence_order(steps, e))
+        for m, e in {"euler": steps, "heun": steps**2, "rk4": 1e3 * steps**4}.items()
+    }
+    figure = plot.convergence(steps, [case] * 3, ["a", "b", "c"])
+    figure.draw_without_rendering()
+    for ax in figure.axes:
+        assert len(ax.texts) == 3
+        for text in ax.texts:
+            assert ax.bbox.x0 + 4 < text.get_window_extent().x0
+            assert text.get_window_extent().x1 < ax.bbox.x1 + 4
+
+
 def test_catalogues_of_both_languages_have_the_same_words() -> None:
     english, spanish = (labels(language) for language in LANGUAGES)
     for part in ("run", "axis", "curve"):

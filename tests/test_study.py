@@ -182,6 +182,14 @@ def test_data_have_units_and_read_back_exactly(study: tuple[Path, str]) -> None:
         assert all(repr(float(cell)) == cell for cell in column)
 
 
+def test_every_column_says_its_unit_and_counts_well(study: tuple[Path, str]) -> None:
+    words = {"system", "method"}
+    for path in sorted((study[0] / "data").glob("*.csv")):
+        for column in _table(study[0], path.stem):
+            assert column in words or re.search(r" \[(1|s|rad|rad/s|J)\]$", column), path.name
+            assert not re.search(r"\b1 \w+s\b", column)
+
+
 def test_periods_against_the_known_ones(study: tuple[Path, str]) -> None:
     table = _table(study[0], "periods")
     period = float(
@@ -221,8 +229,8 @@ def test_double_reference_against_an_independent_integration(study: tuple[Path, 
 def test_orders_are_measured(study: tuple[Path, str]) -> None:
     table = _table(study[0], "orders")
     theory = {"euler": 1, "heun": 2, "rk4": 4}
-    assert len(table["order"]) == 9
-    for method, order in zip(table["method"], table["order"], strict=True):
+    assert len(table["order [1]"]) == 9
+    for method, order in zip(table["method"], table["order [1]"], strict=True):
         assert float(order) == pytest.approx(theory[method], abs=0.1)
 
 

@@ -147,7 +147,44 @@ def test_a_run_that_breaks_down_is_reported_not_hidden(quick: Path) -> None:
 
 
 def test_a_reference_that_breaks_down_ends_the_study(quick: Path) -> None:
-    quick.write_text(_recipe("500 s", "5 s", 'step = "1 s"\nreference_step = "5 s"'))
-    with pytest.raises(RuntimeError, match=r"smaller double\.reference_step than 5 s"):
+    quick.write_text(_recipe("500 s", "5 s", 'step = "5 s"\nreference_step = "5 s"'))
+    with pytest.raises(RuntimeError) as caught:
         run_study(quick, quick.parent / "out", "en")
+    message = str(caught.value)
+    assert message.startswith(f"{quick}, line 13: double.reference_step must be short enough")
+    assert "got 5 s" in message
+    assert "take a smaller one than 5 s" in message
+    assert "\n" not in message
     assert _nothing_left(quick.parent)
+
+
+@pytest.mark.parametrize(
+    ("text", "told"),
+    [
+        ('[double]\nl1 = "1e-12 m"\n', "line 2: the finest of convergence.steps must be short"),
+        ('[double]\nomega1 = "9e3 rad/s"\nstep = "50 ms"\nreference_step = "50 ms"\n', "line 4: "),
+    ],
+)
+def test_a_reference_that_breaks_down_at_once_is_told_with_its_line(
+    quick: Path, text: str, told: str
+) -> None:
+    quick.write_text(text)
+    with pytest.raises(RuntimeError) as caught:
+        run_study(quick, quick.parent / "out", "en")
+    assert str(caught.value).startswith(f"{quick}, {told}")
+    assert _nothing_left(quick.parent)
+
+
+@pytest.mark.usefixtures("undrawn")
+def test_rods_at_rest_are_said_to_be_so(quick: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    seen = []
+
+    def write_report(folder: Path, told: dict[str, Any], _: object) -> None:
+        seen.append(told["double"]["at_rest"])
+
+    monkeypatch.setattr("pendula.study.report.write_report", write_report)
+    for rate in ("0 rad/s", "1 rad/s"):
+        rest = f'theta1 = "0 deg"\ntheta2 = "0 deg"\nomega2 = "{rate}"'
+        quick.write_text(_recipe("1 s", more=rest))
+        run_study(quick, quick.parent / rate[0], "en")
+    assert seen == [True, False]

@@ -14,13 +14,13 @@ from numpy.typing import ArrayLike, NDArray
 from pendula.solving import exact
 from pendula.systems import LinearPendulum, SimplePendulum
 
-_SAMPLES_PER_SWING = 200  # the largest error is found to (π/200)²/2 of itself, 1 in 8000
+_SAMPLES_A_PERIOD = 200  # the largest error is found to (π/200)²/2 of itself, 1 in 8000
 
 
 def linear_model_error(amplitude: ArrayLike, swings: float = 1.0) -> NDArray[np.float64]:
     """How far the linear solution strays from the exact one after a release from rest.
 
-    It grows with the phase that the linear model gains, at small angles 2π θ0²/16 a swing, since
+    It grows with the phase that the linear model gains, at small angles 2π θ0²/16 a period, since
     T ≈ T0 (1 + θ0²/16).
 
     Args:
@@ -40,7 +40,7 @@ def linear_model_error(amplitude: ArrayLike, swings: float = 1.0) -> NDArray[np.
         raise ValueError(f"swings must be positive, got {swings!r}")
     linear, simple = LinearPendulum(), SimplePendulum()
     until = swings * math.tau / simple.natural_frequency
-    t = np.linspace(0.0, until, math.ceil(_SAMPLES_PER_SWING * swings) + 1)
+    t = np.linspace(0.0, until, math.ceil(_SAMPLES_A_PERIOD * swings) + 1)
     states = np.stack([theta0.ravel(), np.zeros(theta0.size)], axis=-1)
     apart = exact(linear, states, t).states[..., 0] - exact(simple, states, t).states[..., 0]
     largest: NDArray[np.float64] = np.abs(apart).max(axis=-1).reshape(theta0.shape) / theta0

@@ -221,12 +221,14 @@ def _error_line(
     fitted = np.degrees(fit.constant * steps[used] ** fit.order)
     ax.plot(steps[used], fitted, label=words.name(name), **line(name))
     middle = int(np.argsort(steps[used])[np.count_nonzero(used) // 2])
+    # Below the line and to its right: on the left the axis may be near.
     ax.annotate(
         words.local(f"{fit.order:.2f}"),
         (steps[used][middle], fitted[middle]),
-        xytext=(-4, 5),
+        xytext=(5, -2),
         textcoords="offset points",
-        ha="right",
+        ha="left",
+        va="top",
         color=look["color"],
     )
 

@@ -30,7 +30,7 @@ if TYPE_CHECKING:
 
 Array = NDArray[np.float64]
 
-# Shades for curves that are no run: what a series of more and more terms, or swings, gives.
+# Shades for curves that are no run: what a series of more and more terms, or periods, gives.
 _SHADES = ("#a9a5d1", "#8f86c4", "#7461b3", "#54278f", "#2d0a57")
 _SEPARATRIX = "#b07a00"
 
@@ -47,17 +47,17 @@ def linear_error(
 
     Args:
         amplitudes: θ0 [rad], shape (n,), rising.
-        errors: by number of swings, as a part of θ0, shape (n,).
-        limits: by number of swings and error, the amplitude [rad] that gives it: to be marked.
+        errors: by number of periods T0, as a part of θ0, shape (n,).
+        limits: by number of periods T0 and error, the amplitude [rad] that gives it: to be marked.
         language: "en" or "es".
     """
     words = labels(language)
     figure, axes = panels(1, 1, 3.1, words)
     ax = axes[0, 0]
-    for (swings, error), colour in zip(errors.items(), cycle(_SHADES[:0:-1])):
-        name = words.curve["swing_1"] if swings == 1 else words.curve["swings"].format(n=swings)
+    for (count, error), colour in zip(errors.items(), cycle(_SHADES[:0:-1])):
+        name = words.curve["period_1"] if count == 1 else words.curve["periods"].format(n=count)
         ax.plot(np.degrees(amplitudes), error, color=colour, linewidth=1.6, label=name)
-        for value, limit in limits[swings].items():
+        for value, limit in limits[count].items():
             ax.plot(np.degrees(limit), value, "o", color=colour, markersize=4)
             ax.annotate(
                 words.plain(float(np.degrees(limit))) + "°",

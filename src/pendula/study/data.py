@@ -37,8 +37,10 @@ def _tables(results: Results) -> dict[str, Columns]:
         "periods": _periods(results),
         "elliptic": {
             "amplitude [rad]": results.elliptic.amplitudes.tolist(),
-            "terms of the series": [int(n) if n < math.inf else n for n in results.elliptic.terms],
-            "iterations of the AGM": results.elliptic.iterations.tolist(),
+            "terms of the series [1]": [
+                int(n) if n < math.inf else n for n in results.elliptic.terms
+            ],
+            "iterations of the AGM [1]": results.elliptic.iterations.tolist(),
         },
         "convergence": _convergence(results),
         "orders": _orders(results),
@@ -75,19 +77,21 @@ def _compared(compared: Comparison) -> Columns:
 def _linear_error(results: Results) -> Columns:
     part = results.linear_errors
     columns: Columns = {"amplitude [rad]": part.amplitudes.tolist()}
-    for swings, errors in part.errors.items():
-        columns[f"largest error / amplitude, {swings} swings"] = errors.tolist()
+    for n, errors in part.errors.items():
+        columns[f"largest error / amplitude within {_count(n, 'period')} [1]"] = errors.tolist()
     return columns
 
 
 def _limits(results: Results) -> Columns:
     part = results.linear_errors
     columns: Columns = {
-        "error": list(part.period_limits),
+        "error [1]": list(part.period_limits),
         "amplitude for the period [rad]": list(part.period_limits.values()),
     }
-    for swings, limits in part.limits.items():
-        columns[f"amplitude for {swings} swings [rad]"] = list(limits.values())
+    for n, limits in part.limits.items():
+        columns[f"amplitude for the angle within {_count(n, 'period')} [rad]"] = list(
+            limits.values()
+        )
     return columns
 
 
@@ -97,8 +101,8 @@ def _periods(results: Results) -> Columns:
         "amplitude [rad]": part.amplitudes.tolist(),
         "exact period [s]": part.exact.tolist(),
     }
-    for terms, values in part.series.items():
-        columns[f"period by {terms} terms [s]"] = values.tolist()
+    for n, values in part.series.items():
+        columns[f"period by {_count(n, 'term')} [s]"] = values.tolist()
     return columns
 
 
@@ -114,7 +118,11 @@ def _orders(results: Results) -> Columns:
     cases = results.orders.cases
     rows = [(s, m, fit.order) for s, methods in cases.items() for m, (_, fit) in methods.items()]
     system, method, order = zip(*rows, strict=True)
-    return {"system": system, "method": method, "order": order}
+    return {"system": system, "method": method, "order [1]": order}
+
+
+def _count(n: int, thing: str) -> str:
+    return f"{n} {thing}" if n == 1 else f"{n} {thing}s"
 
 
 def _write(path: Path, columns: Columns) -> None:

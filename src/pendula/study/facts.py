@@ -207,6 +207,7 @@ def _double(results: Results, words: Labels, numbers: Numbers) -> dict[str, Any]
         "horizon": _moment(double.horizon, numbers),
         "agreement": _agreement(results, numbers),
         "rows": rows,
+        "at_rest": not any((part.theta1, part.theta2, part.omega1, part.omega2)),
         "all_parted": len(parted) == len(rows),
         "latest": max(parted, key=lambda row: row["seconds"]) if parted else None,
     }

@@ -11,6 +11,7 @@ from dataclasses import fields
 from importlib import resources
 from typing import TYPE_CHECKING, Any
 
+from pendula.study.checks import check
 from pendula.study.schema import SECTIONS, Recipe, Rule
 from pendula.units import quantity
 
@@ -19,9 +20,6 @@ if TYPE_CHECKING:
     from pathlib import Path
 
     Tree = dict[str, dict[str, Any]]
-
-_MOST_STEPS = 10_000_000
-_MOST_POINTS = 20_000
 
 
 def read_recipe(path: Path | None) -> Recipe:
@@ -37,8 +35,8 @@ def read_recipe(path: Path | None) -> Recipe:
     default = resources.files("pendula.study").joinpath("default.toml").read_text("utf-8")
     reader = _Reader(path, tomllib.loads(default))
     parts = {name: reader.section(name) for name in SECTIONS}
-    recipe = Recipe(**parts, text=_resolved(default, reader.tree))
-    _check_times(recipe, reader)
+    recipe = Recipe(**parts, text=_resolved(default, reader.tree), place=reader.place)
+    check(recipe, reader.blame)
     return recipe
 
 
@@ -60,15 +58,19 @@ class _Reader:
             **{f.name: self._value(name, f.name, f.metadata["rule"]) for f in rows}
         )
 
-    def error(self, section: str, key: str, message: str) -> ValueError:
-        """The error to raise for a key: with the file and the line."""
-        line = _line_of(self._text, section, key)
-        where = f"{self._name}, line {line}" if line else self._name
-        return ValueError(f"{where}: {message}")
+    def place(self, *keys: tuple[str, str]) -> str:
+        """The file, and the line of the first of some (table, key) that it sets."""
+        lines = [_line_of(self._text, *each) for each in keys]
+        line = next(filter(None, lines), 0)
+        return f"{self._name}, line {line}" if line else self._name
 
-    def names_in_file(self, section: str, keys: Iterable[str]) -> list[str]:
-        """Which of the keys the file itself sets."""
-        return [key for key in keys if _line_of(self._text, section, key)]
+    def blame(self, section: str, keys: Iterable[str], message: str) -> ValueError:
+        """The error to raise for some keys: with the file and the line."""
+        return ValueError(f"{self.place(*((section, key) for key in keys))}: {message}")
+
+    def error(self, section: str, key: str, message: str) -> ValueError:
+        """The error to raise for a key."""
+        return self.blame(section, (key,), message)
 
     def _parse(self) -> dict[str, Any]:
         try:
@@ -126,36 +128,6 @@ class _Reader:
         example = f"{key} = {_toml(self._default[section][key])}"
         message = f"{section}.{key} {rule}, got {_toml(raw)}; the study's own is {example}"
         return self.error(section, key, message)
-
-
-def _check_times(recipe: Recipe, reader: _Reader) -> None:
-    """The rules that hold between keys: spans against steps."""
-    simple, double, convergence = recipe.simple, recipe.double, recipe.convergence
-    finest = min(convergence.steps)
-    rows = (
-        ("simple", "step", simple.step, simple.until, _MOST_STEPS),
-        ("simple", "output", simple.output, simple.until, _MOST_POINTS),
-        ("double", "step", double.step, double.until, _MOST_STEPS),
-        ("double", "reference_step", double.reference_step, double.until, _MOST_STEPS),
-        ("double", "output", double.output, double.until, _MOST_POINTS),
-        ("convergence", "steps", max(convergence.steps), convergence.until, _MOST_POINTS),
-        ("convergence", "steps", finest, convergence.until, _MOST_STEPS),
-    )
-    for section, key, step, until, most in rows:
-        if step > until:
-            rule = f"{section}.{key} must not be longer than {section}.until = {until:g} s"
-            raise _between(reader, section, (key, "until"), f"{rule}, got {step:g} s")
-        if until / step > most:
-            rule = f"{section}.until / {section}.{key} must be at most {most}"
-            raise _between(reader, section, (key, "until"), f"{rule}, got {until / step:.0f}")
-    if len(set(convergence.steps)) < 2:
-        rule = "convergence.steps must hold two different steps to measure an order"
-        raise _between(reader, "convergence", ("steps",), f"{rule}, got {finest:g} s alone")
-
-
-def _between(reader: _Reader, section: str, keys: tuple[str, ...], message: str) -> ValueError:
-    blamed = (*reader.names_in_file(section, keys), keys[0])[0]
-    return reader.error(section, blamed, message)
 
 
 def _text(path: Path) -> str:

@@ -40,6 +40,13 @@ METHODS = ("euler", "heun", "rk4")
 REPETITIONS = ((1.0, 0.5), (3.0, 1.0), (5.0, 1.0), (7.0, 1.0))
 
 
+# Keys that a reference run may break down by, after its step.
+_START = tuple(
+    ("double", key)
+    for key in ("omega1", "omega2", "theta1", "theta2", "gravity", "l1", "l2", "m1", "m2", "until")
+)
+
+
 @dataclass(frozen=True)
 class Comparison:
     """Runs of one system by each method, and what they are compared with."""
@@ -69,9 +76,9 @@ class LinearErrors:
 
     amplitudes: Array
     errors: dict[int, Array]
-    """By number of swings, as a part of the amplitude, (n,)."""
+    """By number of periods, as a part of the amplitude, (n,)."""
     limits: dict[int, dict[float, float]]
-    """By number of swings and error, the amplitude [rad]."""
+    """By number of periods and error, the amplitude [rad]."""
     period_limits: dict[float, float]
     """By error of the period, the amplitude [rad]."""
 
@@ -141,7 +148,7 @@ def compute(recipe: Recipe) -> Results:
         linear=_comparison(linear, releases["gentle"], gentle, part.step),
         simple=_comparison(simple, releases["large"], large, part.step),
         orders=_orders(recipe.convergence, linear, simple, recipe),
-        double=_double(recipe.double),
+        double=_double(recipe),
     )
 
 
@@ -166,16 +173,16 @@ def _comparison(
     return Comparison(system, reference, runs, differences)
 
 
-def _double(part: Double) -> DoubleComparison:
+def _double(recipe: Recipe) -> DoubleComparison:
+    part = recipe.double
     system, state = double_pendulum(part)
     t = times(part.until, part.output)
     reference = solve(system, state, t, "rk4", step=part.reference_step)
-    own = np.max([angle_difference(run, reference) for run in _repeated(part, t)], axis=0)
-    if not np.isfinite(own).all():
-        raise RuntimeError(
-            f"the double pendulum's reference run breaks down; take a smaller "
-            f"double.reference_step than {part.reference_step:g} s"
-        )
+    repeated = list(_repeated(part, t))
+    place = recipe.place(("double", "reference_step"), *_START)
+    for run in (reference, *repeated):
+        _check_reached(run, f"{place}: double.reference_step", part.reference_step)
+    own = np.max([angle_difference(run, reference) for run in repeated], axis=0)
     compared = _comparison(system, state, reference, part.step)
     return DoubleComparison(
         system,
@@ -186,6 +193,16 @@ def _double(part: Double) -> DoubleComparison:
         parting={m: parting_time(t, d, part.tolerance) for m, d in compared.differences.items()},
         horizon=parting_time(t, own, part.tolerance),
     )
+
+
+def _check_reached(run: Trajectory, key: str, step: float) -> None:
+    """End the study where a run breaks down that others are compared with."""
+    if run.outcome != "reached_end":
+        raise RuntimeError(
+            f"{key} must be short enough for the double pendulum's reference run to reach the end, "
+            f"got {step:g} s, and it breaks down at {run.t[-1]:g} s; take a smaller one than "
+            f"{step:g} s, or a slower motion"
+        )
 
 
 def _repeated(part: Double, t: Array) -> Iterator[Trajectory]:
@@ -232,6 +249,8 @@ def _orders(
     gentle, large = (recipe.simple.gentle, 0.0), (recipe.simple.large, 0.0)
     # A quarter of the finest step makes RK4's own error there 4⁴ = 256 times smaller.
     finer = solve(rods, start, t, "rk4", step=float(steps[-1]) / 4)
+    place = recipe.place(("convergence", "steps"), *_START)
+    _check_reached(finer, f"{place}: the finest of convergence.steps", float(steps[-1]))
     cases = {
         "linear": _errors(linear, gentle, exact(linear, gentle, t), steps),
         "simple": _errors(simple, large, exact(simple, large, t), steps),

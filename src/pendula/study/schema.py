@@ -3,8 +3,11 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, field
-from typing import Any
+from dataclasses import dataclass, field, replace
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
 
 
 @dataclass(frozen=True)
@@ -17,6 +20,8 @@ class Rule:
     high: float = math.inf
     whole: bool = False
     many: bool = False
+    words: str = ""
+    """The range in words, where its numbers are no good to read."""
 
     def allows(self, value: float) -> bool:
         """Whether a number is within the range."""
@@ -25,8 +30,8 @@ class Rule:
     def range(self) -> str:
         """The range in words."""
         unit = f" {self.unit}" if self.unit else ""
-        if self.high == math.pi:
-            return "between 0 and 180 deg"
+        if self.words:
+            return self.words
         if self.high == math.inf:
             return f"more than {self.low:g}{unit}"
         return f"between {self.low:g} and {self.high:g}{unit}"
@@ -40,8 +45,12 @@ _LENGTH = Rule("m", low=0)
 _MASS = Rule("kg", low=0)
 _GRAVITY = Rule("m/s^2", low=0)
 _TIME = Rule("s", low=0)
-_AMPLITUDE = Rule("rad", low=0, high=math.pi)
-_AMPLITUDES = Rule("rad", low=0, high=math.pi, many=True)
+_AMPLITUDE = Rule("rad", low=0, high=math.pi, words="between 0 and 180 deg")
+_AMPLITUDES = replace(_AMPLITUDE, many=True)
+# Angles a run can go on from for long: a sine is exact to |θ| < 2²⁶ rad, ten million turns.
+_TURNS = 360 * math.tau
+_ANGLE = Rule("rad", low=-_TURNS, high=_TURNS, words="between -360 and 360 turns")
+_RATE = Rule("rad/s", low=-1e4, high=1e4)
 _PARTS = Rule(low=0, high=1, many=True)
 _SWINGS = Rule(low=0, high=101, whole=True, many=True)
 _TERMS = Rule(low=0, high=1001, whole=True, many=True)
@@ -104,10 +113,10 @@ class Double:
     l1: float = _value(_LENGTH)
     l2: float = _value(_LENGTH)
     gravity: float = _value(_GRAVITY)
-    theta1: float = _value(Rule("rad"))
-    theta2: float = _value(Rule("rad"))
-    omega1: float = _value(Rule("rad/s"))
-    omega2: float = _value(Rule("rad/s"))
+    theta1: float = _value(_ANGLE)
+    theta2: float = _value(_ANGLE)
+    omega1: float = _value(_RATE)
+    omega2: float = _value(_RATE)
     until: float = _value(_TIME)
     step: float = _value(_TIME)
     output: float = _value(_TIME)
@@ -128,6 +137,8 @@ class Recipe:
     double: Double
     text: str
     """The complete recipe as TOML; read again, it gives the same numbers bit for bit."""
+    place: Callable[..., str] = field(compare=False)
+    """The file, and the line of the first of some (table, key) that the file sets."""
 
 
 SECTIONS: dict[str, type[Any]] = {

@@ -64,7 +64,6 @@ def run_study(
     _check_free(target, overwrite=overwrite)
     with _scratch_beside(target) as scratch:
         made = Path(scratch) / "new"
-        made.mkdir()
         _write(recipe, made, language, progress or (lambda label, share: None))
         _put(made, target, Path(scratch) / "old", overwrite=overwrite)
     return target
@@ -86,6 +85,7 @@ def _write(recipe: Recipe, folder: Path, language: str, progress: Progress) -> N
     progress(doing["runs"], _RUNS)
     results = compute(recipe)
     progress(doing["data"], _DATA)
+    folder.mkdir()
     (folder / "recipe.toml").write_text(recipe.text, encoding="utf-8", newline="\n")
     (folder / "data").mkdir()
     write_data(results, folder / "data")

@@ -145,14 +145,12 @@ function chooser(parent, motion, redraw) {
   }
 }
 
-function player(box) {
-  const motion = unpack(data.motions[box.dataset.motion]);
-  box.textContent = "";
-  const canvas = element("canvas", box, { role: "img", ariaLabel: data.words.picture });
+// Button, time, clock and speed of a player.
+function controls(box, end) {
   const bar = element("div", box, { className: "bar" });
   const button = element("button", bar, { type: "button", textContent: data.words.play });
   const slider = labelled(bar, data.words.time, "input", { type: "range", min: 0, step: "any" });
-  slider.max = motion.end;
+  slider.max = end;
   slider.value = 0;
   const clock = element("output", bar);
   const speed = labelled(bar, data.words.speed, "select", {});
@@ -160,18 +158,21 @@ function player(box) {
     const text = String(factor).replace(".", data.decimal) + "×";
     element("option", speed, { value: factor, textContent: text, selected: factor === 1 });
   }
+  return { button, slider, clock, speed };
+}
 
+// Lets the time run or be set; `redraw` draws the pendulums at a time. Returns what shows it all.
+function animate({ button, slider, clock, speed }, end, redraw) {
   let time = 0;
   let before = null; // the page's clock at the last picture [ms]; null: not playing
-  const redraw = () => draw(canvas, motion, time);
   const show = () => {
     slider.value = time;
     clock.value = local(time, 2) + " s";
     slider.setAttribute("aria-valuetext", clock.value);
-    redraw();
+    redraw(time);
   };
   const play = (on) => {
-    if (on && time >= motion.end) time = 0;
+    if (on && time >= end) time = 0;
     before = on ? performance.now() : null;
     button.textContent = on ? data.words.pause : data.words.play;
     if (on) requestAnimationFrame(tick);
@@ -179,19 +180,28 @@ function player(box) {
   };
   const tick = (now) => {
     if (before === null) return;
-    time = Math.min(time + (Math.max(0, now - before) / 1000) * Number(speed.value), motion.end);
+    time = Math.min(time + (Math.max(0, now - before) / 1000) * Number(speed.value), end);
     before = now;
-    if (time >= motion.end) play(false);
+    if (time >= end) play(false);
     else requestAnimationFrame(tick);
     show();
   };
-  chooser(box, motion, redraw);
   button.addEventListener("click", () => play(before === null));
   slider.addEventListener("input", () => {
     time = Number(slider.value);
     show();
   });
-  new ResizeObserver(redraw).observe(canvas);
+  return show;
+}
+
+function player(box) {
+  const motion = unpack(data.motions[box.dataset.motion]);
+  box.textContent = "";
+  const canvas = element("canvas", box, { role: "img", ariaLabel: data.words.picture });
+  const bar = controls(box, motion.end);
+  const show = animate(bar, motion.end, (time) => draw(canvas, motion, time));
+  chooser(box, motion, show);
+  new ResizeObserver(show).observe(canvas);
   show();
 }
 
