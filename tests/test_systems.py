@@ -277,6 +277,6 @@ def test_normal_modes_solve_the_eigenproblem(system: DoublePendulum) -> None:
 
 def test_an_unknown_system_is_refused() -> None:
     with pytest.raises(
-        ValueError, match="system must be one of linear, simple, double; got 'triple'"
+        ValueError, match="system must be one of double, linear, simple; got 'triple'"
     ):
         system_from({"name": "triple", "form": "", "parameters": {}})

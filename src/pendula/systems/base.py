@@ -22,6 +22,16 @@ class System:
 
     name: ClassVar[str]
     form: str
+    classes: ClassVar[dict[str, type[System]]] = {}  # by the catalogue's name
+
+    def __init_subclass__(cls) -> None:
+        if "name" in vars(cls):
+            System.classes[cls.name] = cls
+
+    @classmethod
+    def of_form(cls, form: str, parameters: dict[str, float]) -> System:
+        """The system of that form with these parameters."""
+        return cls(**parameters)
 
     @property
     def parameters(self) -> dict[str, float]:

@@ -103,6 +103,13 @@ class DoublePendulum(System):
         """
         return cls("bodies", (m1, m2, l1, c1, c2, I1, I2, gravity, c2 if l2 is None else l2))
 
+    @classmethod
+    def of_form(cls, form: str, parameters: dict[str, float]) -> DoublePendulum:
+        """The system of that form with these parameters, as `rods`, `bobs` or `bodies` make it."""
+        one_of("form", form, (each.name for each in _engine.system_entries()[cls.name].forms))
+        made: DoublePendulum = getattr(cls, form)(**parameters)
+        return made
+
     @property
     def parameters(self) -> dict[str, float]:
         """The parameters of the form by name, in SI units."""
