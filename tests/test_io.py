@@ -170,6 +170,15 @@ def test_an_unwritable_path_is_named(tmp_path: Path) -> None:
         RUNS["linear"]().save(tmp_path / "file" / "run.csv")
 
 
+def test_a_link_stays_a_link(tmp_path: Path) -> None:
+    (tmp_path / "dangling.csv").symlink_to(tmp_path / "real.csv")
+    with pytest.raises(FileExistsError, match="exists"):
+        RUNS["linear"]().save(tmp_path / "dangling.csv")
+    RUNS["linear"]().save(tmp_path / "dangling.csv", overwrite=True)
+    assert (tmp_path / "dangling.csv").is_symlink()
+    same(pendula.load(tmp_path / "real.csv"), RUNS["linear"]())
+
+
 def test_a_folder_does_not_become_a_file(tmp_path: Path) -> None:
     (tmp_path / "run.csv").mkdir()
     (tmp_path / "run.zarr").write_text("kept", encoding="utf-8")

@@ -107,7 +107,10 @@ def _check_list(entries: list[str], text: str, unit: str, name: str) -> None:
     if not bare or not unit:
         return
     given = next((each["unit"] for each in found if each and each["unit"]), unit)
-    each_its_own = ",".join(entry + given if entry in bare else entry for entry in entries)
+    each_its_own = ",".join(
+        entry + (" rad" if "pi" in entry else given) if entry in bare else entry
+        for entry in entries
+    )
     halves = len(entries) == 2 and entries[0] in bare and entries[1][:1].isdigit()
     one = ".".join(entries) if halves else ""
     decimal = f", or {one} for one value with a decimal point" if one.count(".") == 1 else ""

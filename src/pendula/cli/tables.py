@@ -44,7 +44,7 @@ def show(run: Trajectory, *, every_row: bool = False) -> None:
 
 def summary(run: Trajectory) -> str:
     """How a run was made and how it ended."""
-    error = f"largest relative energy error {largest_energy_error(run):.2g}"
+    error = f"largest relative energy error at these times {largest_energy_error(run):.2g}"
     if run.method == "exact":
         return f"exact: {len(run.t)} times, {error}"
     return (

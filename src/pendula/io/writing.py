@@ -25,7 +25,7 @@ def refuse_existing(target: Path, *, overwrite: bool) -> None:
         raise kind(f"cannot write {target}: {folder} is not a folder; make it first")
     if not os.access(folder, os.W_OK):
         raise PermissionError(f"cannot write {target}: no permission to write in {folder}")
-    if target.exists() and not overwrite:
+    if os.path.lexists(target) and not overwrite:
         raise FileExistsError(f"{target} exists; choose another name, or pass overwrite=True")
 
 
@@ -33,6 +33,7 @@ def refuse_existing(target: Path, *, overwrite: bool) -> None:
 def replacing(target: Path, *, overwrite: bool) -> Iterator[Path]:
     """A path beside `target` to write to; moved there at the end, removed on failure."""
     refuse_existing(target, overwrite=overwrite)
+    target = target.resolve()  # a link stays one, what it names is replaced
     unfinished = target.with_name(f".{target.stem}.{os.getpid()}.unfinished{target.suffix}")
     try:
         yield unfinished
