@@ -199,7 +199,7 @@ def test_progress_is_told_and_may_end_the_run() -> None:
 def test_an_interrupt_ends_a_long_run() -> None:
     """A run of a day ends when it is interrupted, with Python's own exception."""
     code = (
-        "import pendula; print('ready', flush=True);"
+        "import numpy, pendula; print('ready', flush=True);"
         "pendula.solve(pendula.SimplePendulum(), (1, 0), [1e6], 'rk4', step=1e-6)"
     )
     with subprocess.Popen(
