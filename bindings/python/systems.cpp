@@ -68,6 +68,7 @@ nb::dict constants(const description& d) {
 }  // namespace
 
 void bind_systems(nb::module_& m) {
+  m.attr("largest_angle") = pendula::largest_angle;
   nb::class_<description>(m, "Description", "A system's name, the index of its form, and that form's parameters.")
       .def(nb::init<std::string, std::size_t, std::vector<double>>(), "system"_a, "form"_a, "parameters"_a);
   m.def("rhs", &rhs, "description"_a, "states"_a, "Time derivative of each state, (n, d).");

@@ -15,6 +15,8 @@ def systems() -> list[dict[str, Any]]:
 def methods() -> list[dict[str, Any]]:
     """The catalogue's methods."""
 
+largest_angle: float = 67108864.0
+
 class Description:
     """A system's name, the index of its form, and that form's parameters."""
 

@@ -149,6 +149,7 @@ def energies(description: Description, states: Array) -> tuple[Array, Array]:
     return kinetic.reshape(states.shape[:-1]), potential.reshape(states.shape[:-1])
 
 
+LARGEST_ANGLE = _core.largest_angle  # the sine ends there [rad]
 constants = _core.constants
 solve_fixed = _core.solve_fixed
 exact_linear = _core.exact_linear

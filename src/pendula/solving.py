@@ -25,7 +25,6 @@ if TYPE_CHECKING:
 
     Array = NDArray[np.float64]
 
-LARGEST_ANGLE = 2.0**26  # of the core's sine [rad]
 LARGEST_PHASE = 2.0**43  # ωn t of the closed forms, good to 2^-53 of it: 1e-3 rad here
 MOST_STEPS = 2**53  # whole numbers are exact in a double up to here
 MOST_OUTPUTS = 10**8  # of a run's own steps: 3 to 4 GB of states
@@ -80,7 +79,7 @@ def exact(system: System, state: ArrayLike, t: ArrayLike, *, t0: float = 0.0) ->
 def _check_phase(system: LinearPendulum | SimplePendulum, start: Array, elapsed: Array) -> None:
     """Refuse what doubles cannot tell: turns or periods whose rounding reaches the motion."""
     turns, phase = abs(start[..., 0]), system.natural_frequency * abs(elapsed)
-    if isinstance(system, SimplePendulum) and (turns >= LARGEST_ANGLE).any():
+    if isinstance(system, SimplePendulum) and (turns >= _engine.LARGEST_ANGLE).any():
         raise ValueError(
             f"state must have an angle below 2^26 rad, got {float(turns.max())!r}; "
             "take whole turns off"

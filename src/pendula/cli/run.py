@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 import click
 
+from pendula import _engine
 from pendula.cli.options import value
 
 if TYPE_CHECKING:
@@ -19,7 +20,6 @@ if TYPE_CHECKING:
     Array = NDArray[np.float64]
 
 _ON_GRID = 1e-9  # of a spacing: an end nearer to the grid lies on it
-_SINE_ENDS = 2.0**26  # rad
 _GREW = "the numbers grew beyond all bounds; take a smaller --step or a higher order"
 _OUT_OF_RANGE = "an angle left the range of the sine (2^26 rad)"
 
@@ -149,7 +149,7 @@ def _why(run: Trajectory, until: float) -> str:
     last, t = (run.states[-1], run.t[-1]) if run.t.size else (run.request.state, run.request.t0)
     angles, speeds = np.split(np.abs(last), 2)
     with np.errstate(over="ignore", invalid="ignore"):
-        turned = (angles + speeds * abs(until - t) >= _SINE_ENDS).any()
+        turned = (angles + speeds * abs(until - t) >= _engine.LARGEST_ANGLE).any()
         grew = (np.abs(run.energy_error) > 1.0).any()
     return _OUT_OF_RANGE if turned and not grew else _GREW
 
