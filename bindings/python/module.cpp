@@ -5,6 +5,7 @@ void bind_catalog(nanobind::module_& m);
 void bind_systems(nanobind::module_& m);
 void bind_solve(nanobind::module_& m);
 void bind_exact(nanobind::module_& m);
+void bind_elliptic(nanobind::module_& m);
 
 NB_MODULE(_core, m) {
   m.doc() = "The compiled core of pendula. Use the package; this module has no checks.";
@@ -12,4 +13,5 @@ NB_MODULE(_core, m) {
   bind_systems(m);
   bind_solve(m);
   bind_exact(m);
+  bind_elliptic(m);
 }

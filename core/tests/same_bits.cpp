@@ -1,4 +1,4 @@
-// Runs the whole catalogue with 1, 2, 4 and 8 lanes and hashes every bit of every state, energy and position. Prints
+// Runs the whole catalogue and the closed forms with 1, 2, 4 and 8 lanes and hashes every bit of what they give. Prints
 // the hash of each width; with a file as argument, compares them with the hash it holds, which changes only where the
 // arithmetic is changed on purpose.
 #include <cstdio>
@@ -9,6 +9,9 @@
 
 #include "pendula/catalog.hpp"
 #include "pendula/drive/fixed.hpp"
+#include "pendula/exact/elliptic.hpp"
+#include "pendula/exact/incomplete_F.hpp"
+#include "pendula/exact/simple_times.hpp"
 
 using namespace pendula;
 
@@ -73,11 +76,59 @@ std::uint64_t hash_of_catalogue() {
   return all.value;
 }
 
+// Regular motions, rotations and the neighbourhood of the separatrix, at small and large times.
+template <class S>
+void exact_motions(hash& all) {
+  constexpr int width = lanes<S>::count;
+  const simple_constants<S> constants(S(1.3), S(9.81));
+  for (double omega : {0.0, 2.5, -5.4937, 0.001, 60.0}) {
+    for (int first = 0; first < trajectories; first += width) {
+      S theta, speed, size;
+      for (int l = 0; l < width; ++l) {
+        set_lane(theta, l, 3.1415926 - 0.8 * (first + l) - 1e-3 * omega);
+        set_lane(speed, l, omega);
+        set_lane(size, l, 0.99 - 0.06 * (first + l));
+      }
+      const simple_motion<S> motion(constants, start_of(constants, theta, speed));
+      const auto near = motion.at(wide<S>(S(0.7))), far = motion.at(wide<S>(S(-1.2e8)));
+      const auto of_k = modulus<S>::from_k(S(1.7) * size);
+      const auto [am, sn, cn, dn] = jacobi_functions<S>(of_k)(S(3.0) * theta);
+      for (int l = 0; l < width; ++l)
+        for (const S& x : {near.theta, near.omega, far.theta, far.omega, motion.period(), am, sn, cn, dn,
+                           complete_K(modulus<S>::from_kc(size)), complete_E(of_k), complete_B(of_k)})
+          all.add(lane(x, l));
+    }
+  }
+}
+
+// What has no lanes: many digits, and the incomplete integral.
+void single_numbers(hash& all) {
+  for (double theta : {0.5, 2.0, -3.1, 40.0})
+    for (double omega : {0.0, -1.0, 7.0}) {
+      const simple_motion<double> motion({1.3, 9.81}, start_of_many_digits(1.3, 9.81, theta, omega));
+      const auto [angle, speed, enough] = motion.at(wide<double>(3e13));
+      for (double x :
+           {angle, speed, simple_period(1.3, 9.81, theta, omega), simple_action(1.3, 9.81, 2.0, theta, omega),
+            simple_time_at(1.3, 9.81, theta, omega, 0.3), linear_time_at(1.3, 9.81, theta, omega, 0.3),
+            incomplete_F(theta, modulus<double>::from_k(0.3 + 0.01 * omega))})
+        all.add(x);
+      for (double x : linear_motion(1.3, 9.81).at(wide<double>(1e9), theta, omega)) all.add(x);
+    }
+}
+
+template <class S>
+std::uint64_t hash_of_all() {
+  hash all{hash_of_catalogue<S>()};
+  exact_motions<S>(all);
+  single_numbers(all);
+  return all.value;
+}
+
 }  // namespace
 
 int main(int count, char** arguments) {
-  const std::uint64_t found[] = {hash_of_catalogue<double>(), hash_of_catalogue<pack<double, 2>>(),
-                                 hash_of_catalogue<pack<double, 4>>(), hash_of_catalogue<pack<double, 8>>()};
+  const std::uint64_t found[] = {hash_of_all<double>(), hash_of_all<pack<double, 2>>(), hash_of_all<pack<double, 4>>(),
+                                 hash_of_all<pack<double, 8>>()};
   bool same = true;
   std::string expected;
   if (count > 1) std::ifstream(arguments[1]) >> expected;

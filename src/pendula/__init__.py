@@ -13,7 +13,8 @@ __version__ = "0.1.0"
 # Where each public name lives. It is imported when it is first used: help has to be there at once.
 _HOMES = {
     "systems": ("DoublePendulum", "LinearPendulum", "SimplePendulum"),
-    "solving": ("exact", "methods", "solve"),
+    "closed_form": ("action", "exact", "time_at"),
+    "solving": ("methods", "solve"),
     "trajectory": ("Trajectory",),
     "io": ("load", "rerun"),
 }
@@ -21,8 +22,9 @@ _MODULES = ("analysis", "elliptic", "io", "plot", "study", "units")
 
 if TYPE_CHECKING:
     from pendula import elliptic
+    from pendula.closed_form import action, exact, time_at
     from pendula.io import load, rerun
-    from pendula.solving import exact, methods, solve
+    from pendula.solving import methods, solve
     from pendula.systems import DoublePendulum, LinearPendulum, SimplePendulum
     from pendula.trajectory import Trajectory
 
@@ -31,12 +33,14 @@ __all__ = [
     "LinearPendulum",
     "SimplePendulum",
     "Trajectory",
+    "action",
     "elliptic",
     "exact",
     "load",
     "methods",
     "rerun",
     "solve",
+    "time_at",
 ]
 
 

@@ -64,8 +64,9 @@ def finite_array(name: str, value: ArrayLike, unit: str = "") -> NDArray[np.floa
         array = array.astype(np.float64, copy=False)
     except (OverflowError, TypeError, ValueError):
         raise ValueError(f"{name} must hold numbers{_in(unit)}, got {value!r}") from None
-    bad = ~np.isfinite(array)
-    if bad.any():
+    finite = np.isfinite(array)
+    if not finite.all():
+        bad = ~finite
         place = np.unravel_index(int(bad.argmax()), array.shape)
         where = f"[{', '.join(str(int(i)) for i in place)}]" if array.ndim else ""
         raise ValueError(

@@ -39,28 +39,48 @@ def solve_fixed(description: Description, method: str, state: Sequence[float], t
     Times, states, how many of both were reached, how the run ended, and steps taken. `step` is negative for a run backward; with own_steps the one time is the end.
     """
 
-def exact_linear(length: float, gravity: float, theta0: float, omega0: float, t: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)]) -> NDArray[numpy.float64]:
-    """States (n, 2) of the linear pendulum at times t after the start."""
+largest_start_angle: float = 1125899906842624.0
 
-def exact_simple(length: float, gravity: float, theta0: float, t: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)]) -> NDArray[numpy.float64]:
+most_half_periods: float = 1125899906842624.0
+
+def exact_linear(length: float, gravity: float, states: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], t: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], t0: float, out: Annotated[NDArray[numpy.float64], dict(shape=(None, None, None), order='C', device='cpu')]) -> bool:
     """
-    States (n, 2) of the simple pendulum at times t after its release from rest.
+    States (m, n, 2) of the linear pendulum at times t from states (m, 2) at t0; false where t is too large.
     """
 
-def elliptic_K(k: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], kc: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)]) -> NDArray[numpy.float64]:
-    """K by the arithmetic-geometric mean."""
+def exact_simple(length: float, gravity: float, states: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], t: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], t0: float, out: Annotated[NDArray[numpy.float64], dict(shape=(None, None, None), order='C', device='cpu')]) -> bool:
+    """
+    States (m, n, 2) of the simple pendulum at times t from states (m, 2) at t0; false where one is too large.
+    """
 
-def elliptic_K_series(k: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], terms: int) -> NDArray[numpy.float64]:
-    """The first terms of the power series of K."""
+def simple_period(length: float, gravity: float, states: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)]) -> NDArray[numpy.float64]:
+    """Periods of states (m, 2)."""
 
-def elliptic_E(k: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], kc: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)]) -> NDArray[numpy.float64]:
+def simple_action(length: float, gravity: float, mass: float, states: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)]) -> NDArray[numpy.float64]:
+    """Actions of states (m, 2)."""
+
+def simple_time_at(length: float, gravity: float, states: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], theta: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)]) -> NDArray[numpy.float64]:
+    """When each state (m, 2) first has its angle (m,)."""
+
+def linear_time_at(length: float, gravity: float, states: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], theta: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)]) -> NDArray[numpy.float64]:
+    """The same of the linear pendulum."""
+
+def machines() -> list[str]:
+    """
+    The machines that the loops of the closed form are built for and this processor is.
+    """
+
+def elliptic_K(moduli: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], complement: bool) -> NDArray[numpy.float64]:
+    """The complete integral of the first kind."""
+
+def elliptic_E(moduli: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], complement: bool) -> NDArray[numpy.float64]:
     """The complete integral of the second kind."""
 
-def elliptic_F(phi: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], k: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], kc: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)]) -> NDArray[numpy.float64]:
+def elliptic_F(phi: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], moduli: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], complement: bool) -> NDArray[numpy.float64]:
     """The incomplete integral of the first kind."""
 
-def jacobi(u: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], k: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], kc: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)]) -> tuple[NDArray[numpy.float64], NDArray[numpy.float64], NDArray[numpy.float64], NDArray[numpy.float64]]:
-    """am, sn, cn and dn."""
+def elliptic_K_series(moduli: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], complement: bool, terms: int) -> NDArray[numpy.float64]:
+    """The first terms of the power series of K."""
 
-def modulus_of_amplitude(amplitude: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)]) -> tuple[NDArray[numpy.float64], NDArray[numpy.float64]]:
-    """k = |sin(amplitude/2)| and kc = |cos(amplitude/2)|."""
+def jacobi(u: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], moduli: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], complement: bool) -> tuple[NDArray[numpy.float64], NDArray[numpy.float64], NDArray[numpy.float64], NDArray[numpy.float64]]:
+    """am, sn, cn and dn."""

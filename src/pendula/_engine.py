@@ -152,9 +152,13 @@ def energies(description: Description, states: Array) -> tuple[Array, Array]:
 LARGEST_ANGLE = _core.largest_angle  # the sine ends there [rad]
 constants = _core.constants
 solve_fixed = _core.solve_fixed
-exact_linear = _core.exact_linear
-exact_simple = _core.exact_simple
-modulus_of_amplitude = _core.modulus_of_amplitude
+exact_solutions = {"linear": _core.exact_linear, "simple": _core.exact_simple}
+time_at = {"linear": _core.linear_time_at, "simple": _core.simple_time_at}
+LARGEST_START_ANGLE = _core.largest_start_angle  # of a closed form [rad]
+MOST_HALF_PERIODS = _core.most_half_periods  # of a closed form
+simple_period = _core.simple_period
+simple_action = _core.simple_action
+machines = _core.machines
 elliptic_K = _core.elliptic_K
 elliptic_K_series = _core.elliptic_K_series
 elliptic_E = _core.elliptic_E

@@ -1,4 +1,4 @@
-"""Solutions: in closed form with `exact`, step by step with `solve`."""
+"""Solutions step by step."""
 
 from __future__ import annotations
 
@@ -14,8 +14,8 @@ from pendula._checks import (
     states_array,
     whole_number,
 )
-from pendula.systems import LinearPendulum, SimplePendulum, System
-from pendula.trajectory import Request, Trajectory, exact_states
+from pendula.systems import System, check_system
+from pendula.trajectory import Request, Trajectory
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -25,7 +25,6 @@ if TYPE_CHECKING:
 
     Array = NDArray[np.float64]
 
-LARGEST_PHASE = 2.0**43  # ωn t of the closed forms, good to 2^-53 of it: 1e-3 rad here
 MOST_STEPS = 2**53  # whole numbers are exact in a double up to here
 MOST_OUTPUTS = 10**8  # of a run's own steps: 3 to 4 GB of states
 
@@ -33,63 +32,6 @@ MOST_OUTPUTS = 10**8  # of a run's own steps: 3 to 4 GB of states
 def methods() -> tuple[_engine.Method, ...]:
     """The methods `solve` takes: name, order, kind, systems and source of each."""
     return _engine.methods()
-
-
-def exact(system: System, state: ArrayLike, t: ArrayLike, *, t0: float = 0.0) -> Trajectory:
-    """The motion in closed form.
-
-    The linear pendulum for any start: Herrera et al. (2024), eq. 11. The simple pendulum for a
-    release from rest, by Jacobi elliptic functions of modulus k = sin(θ0/2): eq. 21, corrected.
-    The error is a few roundings of the angle and of the phase ωn t: 1e-6 rad after 10^9 periods.
-
-    Args:
-        system: a LinearPendulum or SimplePendulum.
-        state: (θ0, ω0) at time t0, or (m, 2) of them [rad, rad/s].
-        t: a time or times in any order, before t0 too, (n,) [s].
-        t0: time of the state [s].
-
-    Returns:
-        A trajectory with states (n, 2), or (m, n, 2) for m states.
-
-    Raises:
-        ValueError: for a system without a closed form, or values that are not finite.
-    """
-    _check_system(system)
-    if not isinstance(system, LinearPendulum | SimplePendulum):
-        raise ValueError(
-            f"system must be a LinearPendulum or SimplePendulum, got {system!r}: "
-            "no closed form is known; use solve"
-        )
-    start = states_array(state, system.components)
-    if start.ndim > 2:
-        raise ValueError(f"state must have shape (2,) or (m, 2), got {start.shape}")
-    moving = start[..., 1][start[..., 1] != 0.0]
-    if isinstance(system, SimplePendulum) and moving.size:
-        raise ValueError(
-            "state must be a release from rest (omega0 = 0) for the exact solution of the simple "
-            f"pendulum, got omega0 = {float(moving[0])!r} rad/s; use solve"
-        )
-    origin = finite_number("t0", t0, "s")
-    times = finite_array("t", t, "s").reshape(-1)
-    _check_phase(system, start, times - origin)
-    states = exact_states(system, start, times - origin)
-    return Trajectory(system, "exact", times, states, Request(start, times, origin))
-
-
-def _check_phase(system: LinearPendulum | SimplePendulum, start: Array, elapsed: Array) -> None:
-    """Refuse what doubles cannot tell: turns or periods whose rounding reaches the motion."""
-    turns, phase = abs(start[..., 0]), system.natural_frequency * abs(elapsed)
-    if isinstance(system, SimplePendulum) and (turns >= _engine.LARGEST_ANGLE).any():
-        raise ValueError(
-            f"state must have an angle below 2^26 rad, got {float(turns.max())!r}; "
-            "take whole turns off"
-        )
-    if (phase >= LARGEST_PHASE).any():
-        latest = LARGEST_PHASE / system.natural_frequency
-        raise ValueError(
-            f"t must lie within {latest:.3g} s of t0, where its rounding is no part of a period; "
-            f"got t - t0 = {float(abs(elapsed).max())!r} s"
-        )
 
 
 def solve(
@@ -123,7 +65,7 @@ def solve(
     Raises:
         ValueError: for an unknown method, or an argument out of range.
     """
-    _check_system(system)
+    check_system(system)
     one_of("method", method, (each.name for each in methods()))
     start = states_array(state, system.components)
     if start.ndim != 1:
@@ -169,13 +111,6 @@ def _solve_fixed(
     return Trajectory(
         system, method, t[:reached], states[:reached], asked, outcome, steps, steps * evaluations
     )
-
-
-def _check_system(system: object) -> None:
-    if not isinstance(system, System):
-        raise ValueError(
-            f"system must be a pendulum such as SimplePendulum(length=1.0), got {system!r}"
-        )
 
 
 def _output_times(t: ArrayLike, t0: float) -> tuple[Array, bool]:

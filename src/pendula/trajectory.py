@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from pendula import _engine
 from pendula._checks import finite_array
-from pendula.systems import LinearPendulum
 
 if TYPE_CHECKING:
     from os import PathLike
@@ -28,7 +28,7 @@ class Request:
     """What was asked for: enough to run it again.
 
     Attributes:
-        state: at time t0, (d,), or (m, d) for several exact solutions.
+        state: at time t0, (d,), or (..., d) for several exact solutions.
         t0: time of that state [s].
         t: the one end time, where the output is the method's own steps, or output times, (n,) [s].
         step: of a fixed-step method [s].
@@ -50,7 +50,7 @@ class Trajectory:
         system: the pendulum.
         method: name of the method; "exact" for the closed form.
         t: output times, (n,) [s].
-        states: (n, d), or (m, n, d) for m exact solutions: (θ, ω) or (θ1, θ2, ω1, ω2), in radians
+        states: (n, d), or (..., n, d) for exact solutions from (..., d): (θ, ω) or (θ1, θ2, ω1, ω2), in radians
             and radians per second.
         request: what was asked for.
         outcome: how the run ended: "reached_end", "step_limit" or "not_finite"; the output holds
@@ -122,7 +122,7 @@ class Trajectory:
                 "ask solve for these times: solve(system, state, t, method, step=...)"
             )
         times = finite_array("t", t, "s")
-        states = exact_states(self.system, self.request.state, times.ravel() - self.request.t0)
+        states = exact_states(self.system, self.request.state, times.ravel(), self.request.t0)
         return states.reshape((*self.request.state.shape[:-1], *times.shape, states.shape[-1]))
 
     def to_xarray(self) -> xr.Dataset:
@@ -167,17 +167,35 @@ class Trajectory:
         return part[..., 0] if count == 1 else part
 
 
-def exact_states(system: System, state: Array, elapsed: Array) -> Array:
-    """The closed form at times (n,) after the state: (n, 2), or (m, n, 2) for states (m, 2)."""
+def exact_states(system: System, state: Array, t: Array, t0: float) -> Array:
+    """The closed form at times (n,) from the state at t0: (n, 2), or (..., n, 2) for (..., 2).
+
+    Raises:
+        ValueError: where an angle or a time is so large that nothing of the motion is left of it.
+    """
     import numpy as np
 
-    def one(start: Any) -> Array:
-        theta, omega = map(float, start)
-        length, gravity, _ = system.parameters.values()
-        if isinstance(system, LinearPendulum):
-            return _engine.exact_linear(length, gravity, theta, omega, elapsed)
-        return _engine.exact_simple(length, gravity, theta, elapsed)
+    length, gravity, _ = system.parameters.values()
+    states = np.ascontiguousarray(state.reshape(-1, 2))
+    out = np.empty((len(states), t.size, 2))
+    if not _engine.exact_solutions[system.name](length, gravity, states, t, t0, out):
+        _refuse(system, states, t - t0, out)
+    return out.reshape((*state.shape[:-1], t.size, 2))
 
-    if state.ndim == 1:
-        return one(state)
-    return np.array([one(start) for start in state]).reshape(len(state), elapsed.size, 2)
+
+def _refuse(system: System, states: Array, elapsed: Array, out: Array) -> None:
+    """Say which angle or time the closed form refused."""
+    import numpy as np
+
+    which, when, _ = np.argwhere(np.isnan(out))[0]
+    angle, most = float(states[which, 0]), _engine.LARGEST_START_ANGLE
+    if abs(angle) >= most:
+        raise ValueError(
+            f"state must have an angle below 2^{math.log2(most):.0f} rad, got {angle!r}; "
+            "take whole turns off"
+        )
+    raise ValueError(
+        f"t must lie within 2^{math.log2(_engine.MOST_HALF_PERIODS):.0f} half periods of t0, where "
+        "its rounding is no part of a period; "
+        f"got t - t0 = {float(elapsed[when])!r} s from state {states[which].tolist()}"
+    )

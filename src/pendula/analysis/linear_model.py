@@ -11,7 +11,7 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from pendula.solving import exact
+from pendula.closed_form import exact
 from pendula.systems import LinearPendulum, SimplePendulum
 
 _SAMPLES_A_PERIOD = 200  # the largest error is found to (π/200)²/2 of itself, 1 in 8000

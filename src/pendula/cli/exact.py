@@ -41,7 +41,7 @@ def _options(entry: SystemEntry) -> list[click.Parameter]:
 
 
 def _exact(entry: SystemEntry, **given: Any) -> None:
-    from pendula.solving import exact
+    from pendula.closed_form import exact
 
     system, start = system_of(entry, given), start_of(entry, given)
     t0 = seconds(given["t0"], "--t0")

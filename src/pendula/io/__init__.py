@@ -75,7 +75,8 @@ def rerun(path: str | PathLike[str]) -> Trajectory:
     Raises:
         ValueError, FileNotFoundError: as for `load`.
     """
-    from pendula.solving import exact, solve
+    from pendula.closed_form import exact
+    from pendula.solving import solve
 
     old = load(path)
     asked = old.request

@@ -20,7 +20,8 @@ from pendula.analysis import (
     series_terms,
     small_angle_limit,
 )
-from pendula.solving import exact, solve
+from pendula.closed_form import exact
+from pendula.solving import solve
 from pendula.systems import DoublePendulum, LinearPendulum, SimplePendulum, System
 
 if TYPE_CHECKING:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from pendula._checks import one_of
-from pendula.systems.base import STANDARD_GRAVITY, System
+from pendula.systems.base import STANDARD_GRAVITY, System, check_system
 from pendula.systems.double import DoublePendulum, NormalModes
 from pendula.systems.single import LinearPendulum, SimplePendulum
 
@@ -16,6 +16,7 @@ __all__ = [
     "NormalModes",
     "SimplePendulum",
     "System",
+    "check_system",
     "system_from",
 ]
 

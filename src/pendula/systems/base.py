@@ -91,3 +91,15 @@ class System:
                     f"the parameters {self.parameters} cannot be computed with: "
                     f"their constant {name} is {value!r}; take values nearer to 1"
                 )
+
+
+def check_system(system: object) -> None:
+    """Refuse what is no pendulum.
+
+    Raises:
+        ValueError: for anything else than a System.
+    """
+    if not isinstance(system, System):
+        raise ValueError(
+            f"system must be a pendulum such as SimplePendulum(length=1.0), got {system!r}"
+        )

@@ -6,7 +6,7 @@ import math
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, ClassVar
 
-from pendula import _engine, elliptic
+from pendula import _engine
 from pendula._checks import finite_array, positive_number, states_array
 from pendula.systems.base import STANDARD_GRAVITY, System
 
@@ -98,30 +98,25 @@ class SimplePendulum(_OneBob):
         """
         import numpy as np
 
-        k, kc = self._modulus(amplitude, state)
-        rotation = k > 1.0
-        reciprocal = 1.0 / np.where(rotation, k, 1.0)
-        integral = elliptic.K(kc=kc * reciprocal)
-        result = np.where(rotation, 2.0, 4.0) * reciprocal * integral / self.natural_frequency
-        return result if result.ndim else float(result)
-
-    def _modulus(self, amplitude: ArrayLike | None, state: ArrayLike | None) -> tuple[Array, Array]:
-        """The modulus k and |k'|, each from its own formula: neither may cancel near k = 1."""
-        import numpy as np
-
         if (amplitude is None) == (state is None):
             raise ValueError("period takes an amplitude or state=(theta0, omega0), one of the two")
         if amplitude is not None:
-            angles = finite_array("amplitude", amplitude, "rad")
-            if (np.abs(angles) > math.pi).any():
-                largest = float(np.abs(angles).max())
-                raise ValueError(
-                    f"amplitude must lie within [-pi, pi] [rad], got {largest!r}; "
-                    "for a motion over the top give state=(theta0, omega0)"
-                )
-            k, kc = _engine.modulus_of_amplitude(angles.ravel())
-            return k.reshape(angles.shape), kc.reshape(angles.shape)
-        states = states_array(state, self.components)  # type: ignore[arg-type]
-        speed = states[..., 1] / (2.0 * self.natural_frequency)
-        sine, cosine = np.sin(0.5 * states[..., 0]), np.cos(0.5 * states[..., 0])
-        return np.hypot(sine, speed), np.sqrt(np.abs((cosine - speed) * (cosine + speed)))
+            states = self._releases(amplitude)
+        else:
+            states = states_array(state, self.components)  # type: ignore[arg-type]
+        rows = np.ascontiguousarray(states.reshape(-1, 2))
+        result = _engine.simple_period(self.length, self.gravity, rows)
+        return result.reshape(states.shape[:-1]) if states.ndim > 1 else float(result[0])
+
+    def _releases(self, amplitude: ArrayLike) -> Array:
+        """The states of largest angle."""
+        import numpy as np
+
+        angles = finite_array("amplitude", amplitude, "rad")
+        if (np.abs(angles) > math.pi).any():
+            largest = float(np.abs(angles).max())
+            raise ValueError(
+                f"amplitude must lie within [-pi, pi] [rad], got {largest!r}; "
+                "for a motion over the top give state=(theta0, omega0)"
+            )
+        return np.stack([angles, np.zeros_like(angles)], axis=-1)

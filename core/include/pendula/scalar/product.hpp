@@ -1,16 +1,26 @@
-// Products with their rounding error.
+// Sums and products with their rounding error.
 #pragma once
 
-#include "pendula/concepts.hpp"
+#include "pendula/scalar/machine.hpp"
 
 namespace pendula {
 
-// a b as head + tail exactly (Dekker 1971), for factors well away from the ends of the range. Written with
-// multiplications alone, so that machines with and without a fused multiply-add give the same bits.
 template <class S>
 struct head_and_tail {
   S head, tail;
 };
+
+// a + b exactly (Knuth 1969); the second for |a| ≥ |b| or a = 0 (Dekker 1971).
+template <class S>
+PENDULA_INLINE head_and_tail<S> two_sum(S a, S b) {
+  const S sum = a + b, of_b = sum - a;
+  return {sum, (a - (sum - of_b)) + (b - of_b)};
+}
+template <class S>
+PENDULA_INLINE head_and_tail<S> fast_two_sum(S a, S b) {
+  const S sum = a + b;
+  return {sum, b - (sum - a)};
+}
 
 template <class S>
 PENDULA_INLINE head_and_tail<S> split(S x) {
@@ -19,12 +29,18 @@ PENDULA_INLINE head_and_tail<S> split(S x) {
   return {head, x - head};
 }
 
+// a b exactly, for factors well away from the ends of the range: by a fused multiply-add, or by multiplications alone
+// (Dekker 1971), to the same bits.
 template <class S>
 PENDULA_INLINE head_and_tail<S> two_product(S a, S b) {
   const S product = a * b;
-  const auto [ah, al] = split(a);
-  const auto [bh, bl] = split(b);
-  return {product, ((ah * bh - product) + ah * bl + al * bh) + al * bl};
+  if constexpr (fused_multiply_add) {
+    return {product, product_minus(a, b, product)};
+  } else {
+    const auto [ah, al] = split(a);
+    const auto [bh, bl] = split(b);
+    return {product, ((ah * bh - product) + ah * bl + al * bh) + al * bl};
+  }
 }
 
 // a b − c d to a rounding or two, however much cancels (Kahan; Jeannerod, Louvet & Muller 2013).

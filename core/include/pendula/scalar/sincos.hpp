@@ -31,18 +31,26 @@ PENDULA_INLINE auto reduce_by_half_pi(S x) {
   return reduced{(x - n * S(0x1.921fb54p+0)) - n * S(0x1.10b4611a62633p-30), bits(shifted)};
 }
 
-// Polynomials for |x| ≤ π/4 with error below 2^-58, the coefficients of fdlibm's k_sin.c and k_cos.c (Sun Microsystems
-// 1993), summed in pairs (Estrin 1960): a run of one trajectory waits for them.
+// What sin x has beyond x, and cos x beyond 1 − z/2, z = x², for |x| ≤ π/4, with error below 2^-58: the coefficients of
+// fdlibm's k_sin.c and k_cos.c (Sun Microsystems 1993), summed in pairs (Estrin 1960): a run of one trajectory waits
+// for them.
 template <class S>
-PENDULA_INLINE sine_cosine<S> sincos_polynomials(S x) {
-  const S z = x * x, w = z * z, cube = z * x;
+PENDULA_INLINE sine_cosine<S> sincos_remainders(S x, S z) {
+  const S w = z * z, cube = z * x;
   const S p =
       (S(8.33333333332248946124e-03) + z * S(-1.98412698298579493134e-04)) +
       w * ((S(2.75573137070700676789e-06) + z * S(-2.50507602534068634195e-08)) + w * S(1.58969099521155010221e-10));
   const S q = (S(4.16666666666666019037e-02) + z * S(-1.38888888888741095749e-03)) +
               w * ((S(2.48015872894767294178e-05) + z * S(-2.75573143513906633035e-07)) +
                    w * (S(2.08757232129817482790e-09) + z * S(-1.13596475577881948265e-11)));
-  return {x + (cube * (S(-1.66666666666666324348e-01) + z * p)), S(1.0) - (S(0.5) * z - w * q)};
+  return {cube * (S(-1.66666666666666324348e-01) + z * p), w * q};
+}
+
+template <class S>
+PENDULA_INLINE sine_cosine<S> sincos_polynomials(S x) {
+  const S z = x * x;
+  const auto [sine, cosine] = sincos_remainders(x, z);
+  return {x + sine, S(1.0) - (S(0.5) * z - cosine)};
 }
 
 template <class S>

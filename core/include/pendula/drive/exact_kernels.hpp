@@ -1,0 +1,25 @@
+// The loops of the closed form over arrays, built for several machines into one program, which takes the best that its
+// processor has. All give the same bits.
+#pragma once
+
+#include <cstddef>
+#include <span>
+
+// Not in `pendula`, which is another name for each machine (core/src/exact_kernels.cpp).
+namespace pendula_kernels {
+
+struct exact {
+  const char* machine;
+  // Each state (θ0, ω0), the time t − t0 after it, into `out`, pair by pair.
+  void (*states)(double length, double gravity, const double* states, std::size_t count, double t, double t0,
+                 double* out, unsigned char* lacking);
+  // One state at each time.
+  void (*times)(double length, double gravity, const double* state, const double* t, std::size_t count, double t0,
+                double* out, unsigned char* lacking);
+};
+
+// Those that this processor can run, the best one last. They set `lacking` where a point needs more digits,
+// and leave it alone elsewhere.
+std::span<const exact* const> all_exact();
+
+}  // namespace pendula_kernels

@@ -1,0 +1,114 @@
+// What the language has no operator for: square roots of lanes, and the rounding error of a product.
+#pragma once
+
+#include <cmath>
+#include <cstring>
+#include <utility>
+
+#include "pendula/scalar/pack.hpp"
+
+#if defined(__SSE2__)
+#include <immintrin.h>
+#endif
+
+namespace pendula {
+
+namespace detail {
+template <int W, class Place>
+PENDULA_INLINE auto shuffled(pack<double, W> a, pack<double, W> b, Place place) {
+  return [&]<int... i>(std::integer_sequence<int, i...>) {
+    return __builtin_shuffle(a.v, b.v, typename pack<double, W>::integers{place(i)...});
+  }(std::make_integer_sequence<int, W>{});
+}
+}  // namespace detail
+
+// Lanes from and to memory, as they lie there and as pairs, whose first numbers go to one and second ones to the other.
+PENDULA_INLINE void load(const double* from, double& x) { x = *from; }
+PENDULA_INLINE void store(double x, double* to) { *to = x; }
+template <int W>
+PENDULA_INLINE void load(const double* from, pack<double, W>& x) {
+  std::memcpy(&x, from, sizeof x);
+}
+template <int W>
+PENDULA_INLINE void store(pack<double, W> x, double* to) {
+  std::memcpy(to, &x, sizeof x);
+}
+template <int W>
+PENDULA_INLINE void load_pairs(const double* from, pack<double, W>& first, pack<double, W>& second) {
+  if constexpr (W > lanes_of_machine) {
+    load_pairs(from, first.low, second.low);
+    load_pairs(from + W, first.high, second.high);
+  } else {
+    pack<double, W> a, b;
+    load(from, a);
+    load(from + W, b);
+    first.v = detail::shuffled<W>(a, b, [](int i) { return 2 * i; });
+    second.v = detail::shuffled<W>(a, b, [](int i) { return 2 * i + 1; });
+  }
+}
+template <int W>
+PENDULA_INLINE void store_pairs(pack<double, W> first, pack<double, W> second, double* to) {
+  if constexpr (W > lanes_of_machine) {
+    store_pairs(first.low, second.low, to);
+    store_pairs(first.high, second.high, to + W);
+  } else {
+    const auto place = [](int i) { return i / 2 + (i % 2) * W; };
+    store(pack<double, W>(detail::shuffled<W>(first, second, place)), to);
+    store(pack<double, W>(detail::shuffled<W>(first, second, [place](int i) { return place(i + W); })), to + W);
+  }
+}
+
+PENDULA_INLINE double square_root(double x) { return std::sqrt(x); }
+template <int W>
+PENDULA_INLINE pack<double, W> square_root(pack<double, W> x) {
+#if defined(__AVX512F__)
+  if constexpr (W == 8) return pack<double, W>(_mm512_sqrt_pd(x.v));
+#endif
+#if defined(__AVX__)
+  if constexpr (W == 4) return pack<double, W>(_mm256_sqrt_pd(x.v));
+#endif
+#if defined(__SSE2__)
+  if constexpr (W == 2) return pack<double, W>(_mm_sqrt_pd(x.v));
+#endif
+  if constexpr (W > lanes_of_machine) return {square_root(x.low), square_root(x.high)};
+}
+
+// table[index], lane by lane.
+template <class S>
+PENDULA_INLINE S looked_up(const double* table, decltype(bits(S(0.0))) index) {
+  if constexpr (lanes<S>::count == 1) {
+    return table[index];
+  } else if constexpr (lanes<S>::count > lanes_of_machine) {
+    return {looked_up<typename S::half>(table, index.low), looked_up<typename S::half>(table, index.high)};
+  } else {
+#if defined(__AVX512F__)
+    if constexpr (lanes<S>::count == 8) return S(_mm512_i64gather_pd((__m512i)index, table, 8));
+#endif
+    S found;
+    for (int l = 0; l < lanes<S>::count; ++l) found.set(l, table[index[l]]);
+    return found;
+  }
+}
+
+// a b − p with one rounding: where p is the rounded product it is its error, exactly. This is the one use of a fused
+// multiply-add: the same bits as Dekker's products (product.hpp), in a tenth of the time.
+#if defined(__FMA__)
+inline constexpr bool fused_multiply_add = true;
+PENDULA_INLINE double product_minus(double a, double b, double p) { return __builtin_fma(a, b, -p); }
+template <int W>
+PENDULA_INLINE pack<double, W> product_minus(pack<double, W> a, pack<double, W> b, pack<double, W> p) {
+#if defined(__AVX512F__)
+  if constexpr (W == 8) return pack<double, W>(_mm512_fmsub_pd(a.v, b.v, p.v));
+#endif
+  if constexpr (W == 4) return pack<double, W>(_mm256_fmsub_pd(a.v, b.v, p.v));
+  if constexpr (W == 2) return pack<double, W>(_mm_fmsub_pd(a.v, b.v, p.v));
+  if constexpr (W > lanes_of_machine)
+    return {product_minus(a.low, b.low, p.low), product_minus(a.high, b.high, p.high)};
+}
+#else
+inline constexpr bool fused_multiply_add = false;
+template <class S>
+S product_minus(S a, S b, S p);
+#endif
+
+}  // namespace pendula
