@@ -33,8 +33,9 @@ def test_there_are_examples_and_the_documentation_tells_of_each() -> None:
         assert f"python examples/{example.name} " in page
 
 
-def test_the_picture_is_the_same_file_each_time(tmp_path: Path) -> None:
-    draw = runpy.run_path(str(ROOT / "examples" / "parting.py"))["main"]
+@pytest.mark.parametrize("example", ["parting.py", "near_the_separatrix.py"])
+def test_a_picture_is_the_same_file_each_time(example: str, tmp_path: Path) -> None:
+    draw = runpy.run_path(str(ROOT / "examples" / example))["main"]
     for name in ("one.svg", "two.svg"):
         draw(str(tmp_path / name))
     assert (tmp_path / "one.svg").read_bytes() == (tmp_path / "two.svg").read_bytes()

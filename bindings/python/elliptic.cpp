@@ -3,6 +3,9 @@
 
 #include <nanobind/stl/tuple.h>
 
+#include <algorithm>
+#include <array>
+
 #include "arrays.hpp"
 #include "pendula/exact/incomplete_F.hpp"
 
@@ -48,20 +51,32 @@ array_out K_series(const array_in& moduli, bool complement, long terms) {
   });
 }
 
+using S = pendula::pack<double, 4>;
+
+// Four numbers from place i on; where fewer are left, the last one again.
+S four_from(const double* from, std::size_t i, std::size_t count) {
+  S x;
+  for (std::size_t l = 0; l < 4; ++l) x.set(static_cast<int>(l), from[std::min(i + l, count - 1)]);
+  return x;
+}
+
 auto jacobi(const array_in& u, const array_in& moduli, bool complement) {
   check_lengths(moduli, u);
-  new_array am({u.shape(0)}), sn({u.shape(0)}), cn({u.shape(0)}), dn({u.shape(0)});
+  const std::size_t count = u.shape(0);
+  std::array<new_array, 4> out{new_array({count}), new_array({count}), new_array({count}), new_array({count})};
   {
     nb::gil_scoped_release released;
-    for (std::size_t i = 0; i < u.shape(0); ++i) {
-      const auto values = pendula::jacobi_functions<double>(modulus_of(moduli.data()[i], complement))(u.data()[i]);
-      am.data[i] = values.am;
-      sn.data[i] = values.sn;
-      cn.data[i] = values.cn;
-      dn.data[i] = values.dn;
+    for (std::size_t i = 0; i < count; i += 4) {
+      const S k = four_from(moduli.data(), i, count), argument = four_from(u.data(), i, count);
+      const auto m = complement ? pendula::modulus<S>::from_kc(k) : pendula::modulus<S>::from_k(k);
+      const auto [am, sn, cn, dn] = pendula::jacobi_functions<S>(m)(argument);
+      const std::array values{am, sn, cn, dn};
+      for (std::size_t which = 0; which < 4; ++which)
+        for (std::size_t l = 0; l < std::min<std::size_t>(4, count - i); ++l)
+          out[which].data[i + l] = values[which][static_cast<int>(l)];
     }
   }
-  return std::tuple(am.array, sn.array, cn.array, dn.array);
+  return std::tuple(out[0].array, out[1].array, out[2].array, out[3].array);
 }
 
 }  // namespace

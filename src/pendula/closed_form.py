@@ -96,8 +96,9 @@ def action(system: System, state: ArrayLike) -> Any:
     if isinstance(system, LinearPendulum):
         result = system.energy(start) / system.natural_frequency
     else:
+        length, gravity, mass = system.parameters.values()
         states = np.ascontiguousarray(start.reshape(-1, 2))
-        result = _engine.simple_action(*system.parameters.values(), states).reshape(start.shape[:-1])
+        result = _engine.simple_action(length, gravity, mass, states).reshape(start.shape[:-1])
     return result if start.ndim > 1 else float(result)
 
 

@@ -101,7 +101,7 @@ def sncndn(
     """The Jacobi elliptic functions sn, cn and dn, by theta functions (DLMF 22.2, 22.17).
 
     Args:
-        u: argument, up to 2^50 half periods 2 K in size.
+        u: argument, up to 2^200 half periods 2 K in size, each of its digits taken as given.
         k: modulus, k ≥ 0.
         kc: complementary modulus, instead of k.
 
@@ -166,7 +166,7 @@ def _jacobi(u: ArrayLike, k: ArrayLike | None, kc: ArrayLike | None) -> Any:
     lost = np.isnan(result[0]) & ~np.isnan(arguments) & ~np.isnan(moduli)
     if lost.any():
         raise ValueError(
-            "u must be at most 2^50 half periods, where its rounding is a part of a period; "
+            "u must be at most 2^200 half periods in size; "
             f"got {float(arguments.flat[int(lost.argmax())])!r}"
         )
     return result

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from pendula import _engine
 from pendula._checks import finite_array
@@ -50,8 +50,8 @@ class Trajectory:
         system: the pendulum.
         method: name of the method; "exact" for the closed form.
         t: output times, (n,) [s].
-        states: (n, d), or (..., n, d) for exact solutions from (..., d): (θ, ω) or (θ1, θ2, ω1, ω2), in radians
-            and radians per second.
+        states: (n, d), or (..., n, d) for exact solutions from (..., d): (θ, ω) or (θ1, θ2, ω1,
+            ω2), in radians and radians per second.
         request: what was asked for.
         outcome: how the run ended: "reached_end", "step_limit" or "not_finite"; the output holds
             what was reached before.
@@ -195,7 +195,7 @@ def _refuse(system: System, states: Array, elapsed: Array, out: Array) -> None:
             "take whole turns off"
         )
     raise ValueError(
-        f"t must lie within 2^{math.log2(_engine.MOST_HALF_PERIODS):.0f} half periods of t0, where "
-        "its rounding is no part of a period; "
+        f"t must lie within 2^{math.log2(_engine.MOST_HALF_PERIODS):.0f} half periods of t0: "
+        "later, the rounding of t is a good part of one; "
         f"got t - t0 = {float(elapsed[when])!r} s from state {states[which].tolist()}"
     )

@@ -38,12 +38,13 @@ struct simple_start {
   S turns;              // whole turns before the state's own
   S a, b, c;            // in its own turn: sin(θ/2), ω/2ωn and cos(θ/2) ≥ 0
   wide<S> c2;           // c²
-  wide<S> complement;   // √(1 − κ²) of κ = k or, in rotation, 1/k
+  wide<S> complement;   // κ' = √(1 − κ²) of κ = k or, in rotation, 1/k
+  S half_inverse;       // 1/2κ'
   wide<S> stretch;      // 1 or, in rotation, k
   S rotating;           // 1 in rotation, else 0
   S spread, cancelled;  // |k'²| and the sizes of what it is the difference of: they tell up to when digits are enough
-  wide<S> rate{S(0.0),
-               S(0.0)};  // half periods in a second, with a tail, where more digits are needed than wide ones have
+  // Half periods in a second, with a tail, where more digits are needed than a wide number has; else 0.
+  wide<S> rate{S(0.0), S(0.0)};
   S rate_tail{0.0};
 
   PENDULA_INLINE simple_start(S angle, S speed) : theta(angle), omega(speed) {}
@@ -85,7 +86,9 @@ PENDULA_INLINE simple_start<S> start_of(const simple_constants<S>& constants, S 
     complement2 = choose(rotating, size / k2, complement2);
     y.stretch = choose(rotating, square_root(k2), y.stretch);
   }
-  y.complement = choose(separatrix, wide<S>(0.0), square_root(complement2));
+  const auto [root, half_inverse] = square_root_by(complement2, S(0.5) / complement2.hi);
+  y.complement = choose(separatrix, wide<S>(0.0), root);
+  y.half_inverse = half_inverse;
   // beyond what cancels in the difference: angles that the sine has no digits for, and overflow
   const auto usual = both(less(magnitude(theta), S(largest_wide_angle)), less(b2.hi, S(0x1p900)));
   y.spread = choose(usual, size.hi, S(0.0));
@@ -104,7 +107,7 @@ class simple_motion {
 
   PENDULA_INLINE simple_motion(const simple_constants<S>& constants, const simple_start<S>& start)
       : start_(start),
-        theta_(start.complement),
+        theta_(start.complement, start.half_inverse),
         a2_(sum_with_smaller(wide<S>(1.0), -start.c2)),
         twice_frequency_(S(2.0) * constants.frequency.hi),
         bc_(start.b * start.c),
@@ -136,9 +139,10 @@ class simple_motion {
     const S speed = start_.b * (c1 * w1) - ac_ * (s1 * d1);
     const S divisor = rounded(quick_sum(start_.c2 * wide<S>(two_product(w1, w1)), a2_ * wide<S>(two_product(c1, c1))));
     const S angle = angle_of(sine, cosine);
+    const S omega = twice_frequency_ * speed / divisor + S(0.0);  // at rest not −0
     const auto moved = opposite(equal(t.hi, S(0.0)));
-    return {choose(moved, unwrapped(angle, half_periods, rest.hi), start_.theta),
-            choose(moved, twice_frequency_ * speed / divisor, start_.omega), good(half_periods)};
+    return {choose(moved, unwrapped(angle, half_periods, rest.hi), start_.theta), choose(moved, omega, start_.omega),
+            good(half_periods)};
   }
 
   S half_periods(S t) const { return magnitude(t * rate_.hi); }

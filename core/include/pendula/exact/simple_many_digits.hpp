@@ -25,6 +25,7 @@ inline simple_start<double> start_of_many_digits(double length, double gravity, 
   y.c = c.convert_to<double>();
   y.c2 = wide_of(many_digits(c * c));
   y.complement = wide_of(complement);
+  y.half_inverse = 0.5 / y.complement.hi;
   y.stretch = wide_of(stretch);
   y.rotating = rotating ? 1.0 : 0.0;
   y.spread = 1.0;  // and nothing cancelled: good at any time

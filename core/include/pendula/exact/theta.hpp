@@ -24,7 +24,8 @@ template <class S>
 struct arithmetic_geometric_mean {
   wide<S> value, root;  // and √kc, which the first step makes
 
-  PENDULA_INLINE explicit arithmetic_geometric_mean(wide<S> kc) : root(square_root(kc)) {
+  // Takes 1/(2 kc), too.
+  PENDULA_INLINE arithmetic_geometric_mean(wide<S> kc, S half_inverse) : root(square_root_by(kc, half_inverse).root) {
     if (any_lane(less(kc.hi, S(0x1p-900))))  // whose error terms would underflow
       root = scaled(square_root(scaled(kc, S(0x1p600))), S(0x1p-300));
     wide<S> a = scaled(sum_with_smaller(wide<S>(1.0), kc), S(0.5)), b = root;
@@ -156,9 +157,11 @@ class jacobi_theta {
 
   wide<S> mean;  // AGM(1, kc) = π/2K
 
-  // From the complementary modulus, 0 ≤ kc ≤ 1.
-  PENDULA_INLINE explicit jacobi_theta(wide<S> kc)
-      : jacobi_theta(kc, arithmetic_geometric_mean<S>(choose(equal(kc.hi, S(0.0)), wide<S>(1.0), kc))) {}
+  // From the complementary modulus, 0 ≤ kc ≤ 1, and 1/(2 kc).
+  PENDULA_INLINE jacobi_theta(wide<S> kc, S half_inverse)
+      : jacobi_theta(kc, arithmetic_geometric_mean<S>(choose(equal(kc.hi, S(0.0)), wide<S>(1.0), kc),
+                                                      choose(equal(kc.hi, S(0.0)), S(0.5), half_inverse))) {}
+  PENDULA_INLINE explicit jacobi_theta(wide<S> kc) : jacobi_theta(kc, S(0.5) / kc.hi) {}
 
   // At u = 2 K r for |r| ≤ 1/2.
   PENDULA_INLINE jacobi_quartet<S> operator()(wide<S> r) const {

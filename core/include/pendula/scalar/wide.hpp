@@ -53,12 +53,22 @@ PENDULA_INLINE wide<S> square(wide<S> a) {
   return {head, tail + (a.hi + a.hi) * a.lo};
 }
 
-// Of a number above zero.
+template <class S>
+struct root_and_inverse {
+  wide<S> root;
+  S half_inverse;  // 1/(2 root)
+};
+
+// Of a number above zero, where 1/(2x) is known, which saves a division.
+template <class S>
+PENDULA_INLINE root_and_inverse<S> square_root_by(wide<S> x, S half_inverse_of_x) {
+  const S root = square_root(x.hi), half_inverse = root * half_inverse_of_x;
+  const auto [head, tail] = two_product(root, root);
+  return {{root, (((x.hi - head) - tail) + x.lo) * half_inverse}, half_inverse};
+}
 template <class S>
 PENDULA_INLINE wide<S> square_root(wide<S> x) {
-  const S root = square_root(x.hi);
-  const auto [head, tail] = two_product(root, root);
-  return {root, (((x.hi - head) - tail) + x.lo) * (S(0.5) / root)};
+  return square_root_by(x, S(0.5) / x.hi).root;
 }
 
 // a + b with an error in parts of the larger of the two, which is the result's where they do not cancel.
