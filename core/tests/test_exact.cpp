@@ -6,7 +6,11 @@
 #include "pendula/exact/simple_times.hpp"
 #include "random.hpp"
 
+using pendula::exact_outcome;
+
 namespace {
+
+bool always() { return true; }
 
 // Of swings, turns and the neighbourhood of the separatrix.
 std::vector<double> some_states(std::size_t count) {
@@ -34,14 +38,14 @@ BOOST_AUTO_TEST_CASE(every_machine_and_every_number_of_points_gives_the_same_bit
     const auto states = some_states(count);
     const pendula::exact_request asked{1.0, 9.81, states.data(), count, times.data(), times.size(), 0.25};
     std::vector<double> first(2 * count * times.size()), out(first.size()), singly(first.size());
-    BOOST_TEST(pendula::exact_simple(*all[0], asked, first.data()));
+    BOOST_TEST((pendula::exact_simple(*all[0], asked, first.data(), always) == exact_outcome::complete));
     for (const auto* kernels : all) {
-      pendula::exact_simple(*kernels, asked, out.data());
+      pendula::exact_simple(*kernels, asked, out.data(), always);
       BOOST_TEST(same(out, first), kernels->machine << " " << count);
       for (std::size_t i = 0; i < count; ++i)
         for (std::size_t j = 0; j < times.size(); ++j)
           pendula::exact_simple(*kernels, {1.0, 9.81, &states[2 * i], 1, &times[j], 1, 0.25},
-                                &singly[2 * (i * times.size() + j)]);
+                                &singly[2 * (i * times.size() + j)], always);
       BOOST_TEST(same(singly, first), kernels->machine << " one by one, " << count);
     }
   }
@@ -51,11 +55,25 @@ BOOST_AUTO_TEST_CASE(what_is_too_large_is_refused) {
   const auto& kernels = *pendula_kernels::all_exact().back();
   const double far = 1e16, near = 1.0, states[] = {1.0, 0.0, 1e16, 0.0};
   double out[4];
-  BOOST_TEST(!pendula::exact_simple(kernels, {1.0, 9.81, states, 1, &far, 1, 0.0}, out));
+  BOOST_TEST(
+      (pendula::exact_simple(kernels, {1.0, 9.81, states, 1, &far, 1, 0.0}, out, always) == exact_outcome::refused));
   BOOST_TEST(std::isnan(out[0]));
-  BOOST_TEST(!pendula::exact_simple(kernels, {1.0, 9.81, states, 2, &near, 1, 0.0}, out));
+  BOOST_TEST(
+      (pendula::exact_simple(kernels, {1.0, 9.81, states, 2, &near, 1, 0.0}, out, always) == exact_outcome::refused));
   BOOST_TEST((std::isfinite(out[0]) && std::isnan(out[2])));
-  BOOST_TEST(!pendula::exact_linear({1.0, 9.81, states, 1, &far, 1, 0.0}, out));
+  BOOST_TEST((pendula::exact_linear({1.0, 9.81, states, 1, &far, 1, 0.0}, out, always) == exact_outcome::refused));
+}
+
+BOOST_AUTO_TEST_CASE(work_stops_when_asked_to) {
+  const auto& kernels = *pendula_kernels::all_exact().back();
+  const auto states = some_states(1);
+  const std::vector<double> times(200000, 1.0);
+  std::vector<double> out(2 * times.size(), -1.0);
+  const pendula::exact_request asked{1.0, 9.81, states.data(), 1, times.data(), times.size(), 0.0};
+  const auto never = [] { return false; };
+  BOOST_TEST((pendula::exact_simple(kernels, asked, out.data(), never) == exact_outcome::stopped));
+  BOOST_TEST(out.back() == -1.0);
+  BOOST_TEST((pendula::exact_linear(asked, out.data(), never) == exact_outcome::stopped));
 }
 
 BOOST_AUTO_TEST_CASE(many_digits_go_on_where_wide_numbers_end) {  // on both sides of their border, the same motion
@@ -76,7 +94,7 @@ BOOST_AUTO_TEST_CASE(a_release_next_to_the_top_falls) {
   const double top = 3.141592653589793;  // is below π
   const double quarter = 0.25 * pendula::simple_period(1.0, 9.81, top, 0.0), states[] = {top, 0.0};
   double out[2];
-  pendula::exact_simple(*pendula_kernels::all_exact().back(), {1.0, 9.81, states, 1, &quarter, 1, 0.0}, out);
+  pendula::exact_simple(*pendula_kernels::all_exact().back(), {1.0, 9.81, states, 1, &quarter, 1, 0.0}, out, always);
   BOOST_TEST(std::fabs(out[0]) < 1e-14);
   BOOST_TEST(std::fabs(out[1] + 2.0 * std::sqrt(9.81)) < 1e-14);
 }

@@ -1,6 +1,7 @@
 // The closed forms over arrays: the loops for this machine, and more digits for the points that ask for them.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <optional>
@@ -26,11 +27,17 @@ struct exact_request {
   double t0;
 };
 
+// `refused`: some angle or time is too large, and its points are NaN.
+enum class exact_outcome { complete, refused, stopped };
+
 namespace detail {
 
 inline constexpr std::size_t times_worth_a_setup = 8;
+inline constexpr std::size_t block = std::size_t{1}
+                                     << 16;     // points between two looks at whether to go on: a millisecond
+inline constexpr std::size_t slow_block = 256;  // of states that need many digits: some ten milliseconds
 
-// The points of one state that need more digits; those that no digits help become NaN.
+// The points of one state that need more digits; false where no digits help.
 inline bool with_many_digits(const exact_request& asked, std::size_t state, const unsigned char* lacking, double* out) {
   const double theta = asked.states[2 * state], omega = asked.states[2 * state + 1];
   std::optional<simple_motion<double>> motion;
@@ -50,49 +57,76 @@ inline bool with_many_digits(const exact_request& asked, std::size_t state, cons
   return all;
 }
 
-inline void time_by_time(const pendula_kernels::exact& kernels, const exact_request& asked, double* out,
-                         unsigned char* lacking) {
-  const std::size_t m = asked.state_count, n = asked.time_count;
-  std::vector<double> then(2 * m);
-  for (std::size_t j = 0; j < n; ++j) {
-    std::vector<unsigned char> lacking_then(m, 0);
-    kernels.states(asked.length, asked.gravity, asked.states, m, asked.times[j], asked.t0, then.data(),
-                   lacking_then.data());
-    for (std::size_t i = 0; i < m; ++i) {
-      lacking[i * n + j] = lacking_then[i];
-      std::memcpy(out + 2 * (i * n + j), then.data() + 2 * i, 2 * sizeof(double));
+// Many states at each of a few times.
+template <class GoOn>
+bool time_by_time(const pendula_kernels::exact& kernels, const exact_request& asked, double* out,
+                  unsigned char* lacking, GoOn&& go_on) {
+  const std::size_t n = asked.time_count;
+  std::vector<double> then(n == 1 ? 0 : 2 * block);
+  std::vector<unsigned char> lacking_then(block);
+  for (std::size_t first = 0; first < asked.state_count; first += block) {
+    const std::size_t m = std::min(block, asked.state_count - first);
+    for (std::size_t j = 0; j < n; ++j) {
+      double* const to = n == 1 ? out + 2 * first : then.data();
+      std::memset(lacking_then.data(), 0, m);
+      kernels.states(asked.length, asked.gravity, asked.states + 2 * first, m, asked.times[j], asked.t0, to,
+                     lacking_then.data());
+      for (std::size_t i = 0; i < m; ++i) lacking[(first + i) * n + j] = lacking_then[i];
+      for (std::size_t i = 0; n > 1 && i < m; ++i)
+        std::memcpy(out + 2 * ((first + i) * n + j), to + 2 * i, 2 * sizeof(double));
     }
+    if (!go_on()) return false;
   }
+  return true;
+}
+
+// Many times for each of some states.
+template <class GoOn>
+bool state_by_state(const pendula_kernels::exact& kernels, const exact_request& asked, double* out,
+                    unsigned char* lacking, GoOn&& go_on) {
+  const std::size_t n = asked.time_count;
+  std::size_t points = 0;
+  for (std::size_t i = 0; i < asked.state_count; ++i)
+    for (std::size_t first = 0; first < n; first += block) {
+      const std::size_t count = std::min(block, n - first), place = i * n + first;
+      kernels.times(asked.length, asked.gravity, asked.states + 2 * i, asked.times + first, count, asked.t0,
+                    out + 2 * place, lacking + place);
+      if ((points += count) < block) continue;
+      points = 0;
+      if (!go_on()) return false;
+    }
+  return true;
 }
 
 }  // namespace detail
 
-// States (state_count, time_count, 2) of the simple pendulum. Where an angle or a time is too large they are NaN, and
-// the result is false.
-inline bool exact_simple(const pendula_kernels::exact& kernels, const exact_request& asked, double* out) {
+// States (state_count, time_count, 2) of the simple pendulum. `go_on` is asked now and then whether to.
+template <class GoOn>
+exact_outcome exact_simple(const pendula_kernels::exact& kernels, const exact_request& asked, double* out,
+                           GoOn&& go_on) {
   const std::size_t m = asked.state_count, n = asked.time_count;
   std::vector<unsigned char> lacking(m * n, 0);
-  if (n == 1) {
-    kernels.states(asked.length, asked.gravity, asked.states, m, asked.times[0], asked.t0, out, lacking.data());
-  } else if (n < detail::times_worth_a_setup) {
-    detail::time_by_time(kernels, asked, out, lacking.data());
-  } else {
-    for (std::size_t i = 0; i < m; ++i)
-      kernels.times(asked.length, asked.gravity, asked.states + 2 * i, asked.times, n, asked.t0, out + 2 * i * n,
-                    lacking.data() + i * n);
-  }
+  const bool done = n < detail::times_worth_a_setup
+                        ? detail::time_by_time(kernels, asked, out, lacking.data(), go_on)
+                        : detail::state_by_state(kernels, asked, out, lacking.data(), go_on);
+  if (!done) return exact_outcome::stopped;
   bool all = true;
-  if (std::memchr(lacking.data(), 1, m * n))
-    for (std::size_t i = 0; i < m; ++i)
-      if (std::memchr(lacking.data() + i * n, 1, n))
-        all = detail::with_many_digits(asked, i, lacking.data() + i * n, out + 2 * i * n) && all;
-  return all;
+  std::size_t slow = 0;
+  if (std::memchr(lacking.data(), 1, m * n) == nullptr) return exact_outcome::complete;
+  for (std::size_t i = 0; i < m; ++i) {
+    if (std::memchr(lacking.data() + i * n, 1, n) == nullptr) continue;
+    all = detail::with_many_digits(asked, i, lacking.data() + i * n, out + 2 * i * n) && all;
+    if (++slow % detail::slow_block == 0 && !go_on()) return exact_outcome::stopped;
+  }
+  return all ? exact_outcome::complete : exact_outcome::refused;
 }
 
 // The same of the linear pendulum.
-inline bool exact_linear(const exact_request& asked, double* out) {
-  bool all = true;
+template <class GoOn>
+exact_outcome exact_linear(const exact_request& asked, double* out, GoOn&& go_on) {
   const linear_motion motion(asked.length, asked.gravity);
+  bool all = true;
+  std::size_t points = 0;
   for (std::size_t i = 0; i < asked.state_count; ++i)
     for (std::size_t j = 0; j < asked.time_count; ++j, out += 2) {
       const wide<double> elapsed(two_sum(asked.times[j], -asked.t0));
@@ -102,8 +136,9 @@ inline bool exact_linear(const exact_request& asked, double* out) {
       out[0] = theta;
       out[1] = omega;
       all = all && within;
+      if (++points % detail::block == 0 && !go_on()) return exact_outcome::stopped;
     }
-  return all;
+  return all ? exact_outcome::complete : exact_outcome::refused;
 }
 
 }  // namespace pendula
