@@ -49,7 +49,8 @@ bool exact_simple(double length, double gravity, const matrix_in& states, const 
 bool exact_linear(double length, double gravity, const matrix_in& states, const array_in& t, double t0,
                   const array_to_fill& out) {
   const auto asked = request(length, gravity, states, t, t0, out);
-  return solved([&] { return pendula::exact_linear(asked, out.data(), no_signal); });
+  return solved(
+      [&] { return pendula::exact_linear(*pendula_kernels::all_exact().back(), asked, out.data(), no_signal); });
 }
 
 // f(θ, ω) of each state; f takes a tenth of a millisecond at most.
@@ -98,6 +99,7 @@ std::vector<std::string> machines() {
 
 void bind_exact(nb::module_& m) {
   m.attr("largest_start_angle") = pendula::largest_start_angle;
+  m.attr("largest_start_speed") = pendula::largest_start_speed;
   m.attr("most_half_periods") = pendula::most_half_periods;
   m.def("exact_linear", &exact_linear, "length"_a, "gravity"_a, "states"_a, "t"_a, "t0"_a, "out"_a,
         "States (m, n, 2) of the linear pendulum at times t from states (m, 2) at t0; false where t is too large.");

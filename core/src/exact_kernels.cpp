@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "pendula/exact/linear.hpp"
 #include "pendula/exact/simple.hpp"
 
 namespace {
@@ -60,10 +61,22 @@ void times(double length, double gravity, const double* state, const double* t, 
   });
 }
 
+void linear(const double frequency[2], const double rate[3], const double* state, const double* t, std::size_t count,
+            double t0, double* out) {
+  using S = lanes_of_numbers;
+  const linear_motion<S> motion(frequency, rate, state[0], state[1]);
+  by_blocks<1>(t, count, out, [&](const double* from, double* to, std::size_t) {
+    S time;
+    load(from, time);
+    const auto point = motion.at(wide<S>(two_sum(time, S(-t0))));
+    store_pairs(point.theta, point.omega, to);
+  });
+}
+
 }  // namespace
 
 namespace pendula_kernels {
 #define PENDULA_TEXT(name) #name
 #define PENDULA_NAME(name) PENDULA_TEXT(name)
-extern const exact PENDULA_KERNELS{PENDULA_NAME(PENDULA_KERNELS), states, times};
+extern const exact PENDULA_KERNELS{PENDULA_NAME(PENDULA_KERNELS), states, times, linear};
 }  // namespace pendula_kernels

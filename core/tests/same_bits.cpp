@@ -11,6 +11,7 @@
 #include "pendula/drive/fixed.hpp"
 #include "pendula/exact/elliptic.hpp"
 #include "pendula/exact/incomplete_F.hpp"
+#include "pendula/exact/linear.hpp"
 #include "pendula/exact/simple_times.hpp"
 
 using namespace pendula;
@@ -112,7 +113,13 @@ void single_numbers(hash& all) {
             simple_time_at(1.3, 9.81, theta, omega, 0.3), linear_time_at(1.3, 9.81, theta, omega, 0.3),
             incomplete_F(theta, modulus<double>::from_k(0.3 + 0.01 * omega))})
         all.add(x);
-      for (double x : linear_motion(1.3, 9.81).at(wide<double>(1e9), theta, omega)) all.add(x);
+      const auto frequency = natural_frequency_in_many_digits(1.3, 9.81);
+      const auto [head, tail] = wide_of(frequency);
+      const auto [rate, middle, rest] = words_of(frequency / pi_in_many_digits());
+      const double frequency_words[] = {head, tail}, rate_words[] = {rate, middle, rest};
+      const auto linear = linear_motion<double>(frequency_words, rate_words, theta, omega).at(wide<double>(1e9));
+      all.add(linear.theta);
+      all.add(linear.omega);
     }
 }
 

@@ -39,7 +39,11 @@ BOOST_AUTO_TEST_CASE(every_machine_and_every_number_of_points_gives_the_same_bit
     const pendula::exact_request asked{1.0, 9.81, states.data(), count, times.data(), times.size(), 0.25};
     std::vector<double> first(2 * count * times.size()), out(first.size()), singly(first.size());
     BOOST_TEST((pendula::exact_simple(*all[0], asked, first.data(), always) == exact_outcome::complete));
+    std::vector<double> linear(first.size());
+    pendula::exact_linear(*all[0], asked, linear.data(), always);
     for (const auto* kernels : all) {
+      pendula::exact_linear(*kernels, asked, out.data(), always);
+      BOOST_TEST(same(out, linear), kernels->machine << " linear " << count);
       pendula::exact_simple(*kernels, asked, out.data(), always);
       BOOST_TEST(same(out, first), kernels->machine << " " << count);
       for (std::size_t i = 0; i < count; ++i)
@@ -61,7 +65,8 @@ BOOST_AUTO_TEST_CASE(what_is_too_large_is_refused) {
   BOOST_TEST(
       (pendula::exact_simple(kernels, {1.0, 9.81, states, 2, &near, 1, 0.0}, out, always) == exact_outcome::refused));
   BOOST_TEST((std::isfinite(out[0]) && std::isnan(out[2])));
-  BOOST_TEST((pendula::exact_linear({1.0, 9.81, states, 1, &far, 1, 0.0}, out, always) == exact_outcome::refused));
+  BOOST_TEST(
+      (pendula::exact_linear(kernels, {1.0, 9.81, states, 1, &far, 1, 0.0}, out, always) == exact_outcome::refused));
 }
 
 BOOST_AUTO_TEST_CASE(work_stops_when_asked_to) {
@@ -73,7 +78,7 @@ BOOST_AUTO_TEST_CASE(work_stops_when_asked_to) {
   const auto never = [] { return false; };
   BOOST_TEST((pendula::exact_simple(kernels, asked, out.data(), never) == exact_outcome::stopped));
   BOOST_TEST(out.back() == -1.0);
-  BOOST_TEST((pendula::exact_linear(asked, out.data(), never) == exact_outcome::stopped));
+  BOOST_TEST((pendula::exact_linear(kernels, asked, out.data(), never) == exact_outcome::stopped));
 }
 
 BOOST_AUTO_TEST_CASE(many_digits_go_on_where_wide_numbers_end) {  // on both sides of their border, the same motion

@@ -41,6 +41,8 @@ def solve_fixed(description: Description, method: str, state: Sequence[float], t
 
 largest_start_angle: float = 1125899906842624.0
 
+largest_start_speed: float = 8.452712498170644e+270
+
 most_half_periods: float = 1125899906842624.0
 
 def exact_linear(length: float, gravity: float, states: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], t: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], t0: float, out: Annotated[NDArray[numpy.float64], dict(shape=(None, None, None), order='C', device='cpu')]) -> bool:

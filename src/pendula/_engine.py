@@ -155,6 +155,7 @@ solve_fixed = _core.solve_fixed
 exact_solutions = {"linear": _core.exact_linear, "simple": _core.exact_simple}
 time_at = {"linear": _core.linear_time_at, "simple": _core.simple_time_at}
 LARGEST_START_ANGLE = _core.largest_start_angle  # of a closed form [rad]
+LARGEST_START_SPEED = _core.largest_start_speed  # of a closed form [natural frequencies]
 MOST_HALF_PERIODS = _core.most_half_periods  # of a closed form
 simple_period = _core.simple_period
 simple_action = _core.simple_action

@@ -32,9 +32,10 @@ def exact(system: System, state: ArrayLike, t: ArrayLike, *, t0: float = 0.0) ->
 
     Raises:
         ValueError: for a system without a closed form, values that are not finite, an angle of
-            2^50 rad or more, or a time more than 2^50 half periods away.
+            2^50 rad or more, a speed of 2^900 natural frequencies, or a time more than 2^50 half
+            periods away.
     """
-    _check(system)
+    _checked(system)
     start = states_array(state, system.components)
     origin = finite_number("t0", t0, "s")
     times = finite_array("t", t, "s").reshape(-1)
@@ -59,8 +60,9 @@ def time_at(system: System, state: ArrayLike, theta: ArrayLike) -> Any:
     """
     import numpy as np
 
-    _check(system)
+    one_bob = _checked(system)
     start = states_array(state, system.components)
+    one_bob.check_start(start)
     angles = finite_array("theta", theta, "rad")
     shape = np.broadcast_shapes(start.shape[:-1], angles.shape)
     length, gravity, _ = system.parameters.values()
@@ -91,21 +93,23 @@ def action(system: System, state: ArrayLike) -> Any:
     """
     import numpy as np
 
-    _check(system)
+    one_bob = _checked(system)
     start = states_array(state, system.components)
-    if isinstance(system, LinearPendulum):
-        result = system.energy(start) / system.natural_frequency
+    if isinstance(one_bob, LinearPendulum):
+        result = one_bob.energy(start) / one_bob.natural_frequency
     else:
+        one_bob.check_start(start)
         length, gravity, mass = system.parameters.values()
         states = np.ascontiguousarray(start.reshape(-1, 2))
         result = _engine.simple_action(length, gravity, mass, states).reshape(start.shape[:-1])
     return result if start.ndim > 1 else float(result)
 
 
-def _check(system: System) -> None:
+def _checked(system: System) -> LinearPendulum | SimplePendulum:
     check_system(system)
     if not isinstance(system, LinearPendulum | SimplePendulum):
         raise ValueError(
             f"system must be a LinearPendulum or SimplePendulum, got {system!r}: "
             "no closed form is known; use solve"
         )
+    return system

@@ -80,8 +80,8 @@ def F(phi: ArrayLike, k: ArrayLike | None = None, *, kc: ArrayLike | None = None
     if complex_ones.any():
         where = int(complex_ones.argmax())
         raise ValueError(
-            "phi must be finite and, for k > 1, within [-pi/2, pi/2] with k |sin phi| <= 1, where "
-            f"F is real; got {float(angles.flat[where])!r} for "
+            "phi must, for k > 1, lie within [-pi/2, pi/2] and k |sin phi| not above 1, where F is "
+            f"real; got {float(angles.flat[where])!r} for "
             f"{modulus.name} = {float(moduli.flat[where])!r}"
         )
     return result

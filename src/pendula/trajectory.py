@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from pendula import _engine
 from pendula._checks import finite_array
+from pendula.systems import LinearPendulum, SimplePendulum
 
 if TYPE_CHECKING:
     from os import PathLike
@@ -184,16 +185,12 @@ def exact_states(system: System, state: Array, t: Array, t0: float) -> Array:
 
 
 def _refuse(system: System, states: Array, elapsed: Array, out: Array) -> None:
-    """Say which angle or time the closed form refused."""
+    """Say which state or time the closed form refused."""
     import numpy as np
 
     which, when, _ = np.argwhere(np.isnan(out))[0]
-    angle, most = float(states[which, 0]), _engine.LARGEST_START_ANGLE
-    if abs(angle) >= most:
-        raise ValueError(
-            f"state must have an angle below 2^{math.log2(most):.0f} rad, got {angle!r}; "
-            "take whole turns off"
-        )
+    if isinstance(system, LinearPendulum | SimplePendulum):
+        system.check_start(states[which])
     raise ValueError(
         f"t must lie within 2^{math.log2(_engine.MOST_HALF_PERIODS):.0f} half periods of t0: "
         "later, the rounding of t is a good part of one; "

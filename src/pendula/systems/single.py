@@ -36,6 +36,25 @@ class _OneBob(System):
         """ωn = √(g/L) [rad/s]."""
         return math.sqrt(self.gravity / self.length)
 
+    def check_start(self, states: Array) -> None:
+        """Refuse states (..., 2) that the closed form has no digits for.
+
+        Raises:
+            ValueError: for an angle of 2^50 rad or more, or a speed of 2^900 natural frequencies.
+        """
+        angles, speeds = abs(states[..., 0]), abs(states[..., 1])
+        if (angles >= _engine.LARGEST_START_ANGLE).any():
+            raise ValueError(
+                f"state must have an angle below 2^{math.log2(_engine.LARGEST_START_ANGLE):.0f} "
+                f"rad, got {float(angles.max())!r}; take whole turns off"
+            )
+        most = _engine.LARGEST_START_SPEED * self.natural_frequency
+        if (speeds >= most).any():
+            raise ValueError(
+                f"state must have an angular velocity below {most:.3g} rad/s, "
+                f"got {float(speeds.max())!r}"
+            )
+
 
 @dataclass(frozen=True)
 class LinearPendulum(_OneBob):
@@ -104,6 +123,7 @@ class SimplePendulum(_OneBob):
             states = self._releases(amplitude)
         else:
             states = states_array(state, self.components)  # type: ignore[arg-type]
+            self.check_start(states)
         rows = np.ascontiguousarray(states.reshape(-1, 2))
         result = _engine.simple_period(self.length, self.gravity, rows)
         return result.reshape(states.shape[:-1]) if states.ndim > 1 else float(result[0])

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "pendula/drive/exact_kernels.hpp"
-#include "pendula/exact/linear.hpp"
 #include "pendula/exact/simple_many_digits.hpp"
 
 namespace pendula {
@@ -16,6 +15,7 @@ namespace pendula {
 inline constexpr double most_half_periods =
     0x1p50;  // of |ωn t/2K|: beyond, the rounding of t itself is part of a period
 inline constexpr double largest_start_angle = 0x1p50;
+inline constexpr double largest_start_speed = 0x1p900;  // in natural frequencies
 
 // Some states (θ0, ω0), one after the other, and some times for each.
 struct exact_request {
@@ -44,7 +44,8 @@ inline bool with_many_digits(const exact_request& asked, std::size_t state, cons
   bool all = true;
   for (std::size_t j = 0; j < asked.time_count; ++j) {
     if (!lacking[j]) continue;
-    if (!motion && std::fabs(theta) < largest_start_angle)
+    if (!motion && std::fabs(theta) < largest_start_angle &&
+        std::fabs(omega) < largest_start_speed * std::sqrt(asked.gravity / asked.length))
       motion.emplace(simple_constants<double>(asked.length, asked.gravity),
                      start_of_many_digits(asked.length, asked.gravity, theta, omega));
     const wide<double> elapsed(two_sum(asked.times[j], -asked.t0));
@@ -123,22 +124,28 @@ exact_outcome exact_simple(const pendula_kernels::exact& kernels, const exact_re
 
 // The same of the linear pendulum.
 template <class GoOn>
-exact_outcome exact_linear(const exact_request& asked, double* out, GoOn&& go_on) {
-  const linear_motion motion(asked.length, asked.gravity);
-  bool all = true;
-  std::size_t points = 0;
+exact_outcome exact_linear(const pendula_kernels::exact& kernels, const exact_request& asked, double* out,
+                           GoOn&& go_on) {
+  const many_digits frequency = natural_frequency_in_many_digits(asked.length, asked.gravity);
+  const auto [head, tail] = wide_of(frequency);
+  const auto [rate, middle, rest] = words_of(frequency / pi_in_many_digits());
+  const double frequency_words[2] = {head, tail}, rate_words[3] = {rate, middle, rest};
+  const auto within = [&](double t) { return std::fabs(t - asked.t0) * rate < most_half_periods; };
+  const double* const last = asked.times + asked.time_count;
+  if (asked.state_count == 0) return exact_outcome::complete;
+  if (const double* far = std::find_if_not(asked.times, last, within); far != last) {
+    std::fill_n(out, 2 * asked.state_count * asked.time_count, 0.0);
+    out[2 * (far - asked.times)] = NAN;  // tells which
+    return exact_outcome::refused;
+  }
   for (std::size_t i = 0; i < asked.state_count; ++i)
-    for (std::size_t j = 0; j < asked.time_count; ++j, out += 2) {
-      const wide<double> elapsed(two_sum(asked.times[j], -asked.t0));
-      const bool within = motion.half_periods(elapsed.hi) < most_half_periods;
-      const auto [theta, omega] =
-          within ? motion.at(elapsed, asked.states[2 * i], asked.states[2 * i + 1]) : std::array<double, 2>{NAN, NAN};
-      out[0] = theta;
-      out[1] = omega;
-      all = all && within;
-      if (++points % detail::block == 0 && !go_on()) return exact_outcome::stopped;
+    for (std::size_t first = 0; first < asked.time_count; first += detail::block) {
+      const std::size_t count = std::min(detail::block, asked.time_count - first), place = i * asked.time_count + first;
+      kernels.linear(frequency_words, rate_words, asked.states + 2 * i, asked.times + first, count, asked.t0,
+                     out + 2 * place);
+      if ((count == detail::block || i % detail::block == 0) && !go_on()) return exact_outcome::stopped;
     }
-  return all ? exact_outcome::complete : exact_outcome::refused;
+  return exact_outcome::complete;
 }
 
 }  // namespace pendula

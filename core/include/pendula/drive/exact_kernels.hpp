@@ -16,6 +16,9 @@ struct exact {
   // One state at each time.
   void (*times)(double length, double gravity, const double* state, const double* t, std::size_t count, double t0,
                 double* out, unsigned char* lacking);
+  // One state of the linear pendulum at each time; see `linear_motion` for the first two.
+  void (*linear)(const double frequency[2], const double rate[3], const double* state, const double* t,
+                 std::size_t count, double t0, double* out);
 };
 
 // Those that this processor can run, the best one last. They set `lacking` where a point needs more digits,

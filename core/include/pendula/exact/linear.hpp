@@ -1,39 +1,47 @@
 // The linear pendulum in closed form: Herrera et al. (2024), eq. 11, and its derivative (9), where ω stands for ωn.
 #pragma once
 
-#include "pendula/exact/many_digits.hpp"
 #include "pendula/scalar/sincos_of_half_turns.hpp"
+#include "pendula/scalar/wide_sincos.hpp"
 
 namespace pendula {
 
-inline many_digits natural_frequency_in_many_digits(double length, double gravity) {
-  return sqrt(many_digits(gravity) / length);
-}
-
+template <class S>
 class linear_motion {
  public:
-  linear_motion(double length, double gravity) {
-    const many_digits frequency = natural_frequency_in_many_digits(length, gravity);
-    frequency_ = frequency.convert_to<double>();
-    rate_ = words_of(frequency / pi_in_many_digits());
-  }
+  struct point {
+    S theta, omega;
+  };
 
-  // The state, the time t after it was (θ, ω).
-  std::array<double, 2> at(wide<double> t, double theta, double omega) const {
-    if (t.hi == 0.0) return {theta, omega};
-    const auto [product, product_tail] = two_product(t.hi, rate_.head);
-    const auto [second, second_tail] = two_product(t.hi, rate_.middle);
-    const double whole = nearest_whole(product), small = second_tail + (t.lo * rate_.head + t.hi * rate_.tail);
-    const wide<double> rest(two_sum(product - whole, product_tail));
-    const auto [sine, cosine] = sincos_of_half_turns(settled(rest + wide<double>(second, small)));
-    const double s = parity_sign(whole) * sine, c = parity_sign(whole) * cosine;
-    return {theta * c + omega / frequency_ * s, omega * c - theta * frequency_ * s};
+  // From ωn with a tail, and half periods in a second, ωn/π, as three numbers (many_digits.hpp).
+  linear_motion(const double frequency[2], const double rate[3], double theta, double omega)
+      : theta_(theta),
+        omega_(omega),
+        frequency_(S(frequency[0]), S(frequency[1])),
+        inverse_(wide<S>(1.0) / frequency_),
+        rate_{S(rate[0]), S(rate[1]), S(rate[2])} {}
+
+  // After the time t: with twice the digits, because of a large amplitude nearly all may cancel.
+  PENDULA_INLINE point at(wide<S> t) const {
+    const auto [product, product_tail] = two_product(t.hi, rate_[0]);
+    const auto [second, second_tail] = two_product(t.hi, rate_[1]);
+    const S whole = nearest_whole(product), sign = parity_sign(whole);
+    const S small = second_tail + (t.lo * rate_[0] + t.hi * rate_[2]);
+    const wide<S> rest(two_sum(product - whole, product_tail));
+    const wide<S> x = wide_pi<S>::value() * settled(rest + wide<S>(second, small));
+    const auto [sine, cosine] = wide_sincos(x.hi);
+    const wide<S> s = scaled(sum_with_smaller(sine, cosine * x.lo), sign);
+    const wide<S> c = scaled(sum_with_smaller(cosine, -(sine * x.lo)), sign);
+    const S theta = rounded(quick_sum(c * theta_, s * inverse_ * omega_));
+    const S omega = rounded(quick_sum(c * omega_, -(s * frequency_ * theta_)));
+    const auto moved = opposite(equal(t.hi, S(0.0)));
+    return {choose(moved, theta, theta_), choose(moved, omega, omega_)};
   }
-  double half_periods(double t) const { return magnitude(t * rate_.head); }
 
  private:
-  double frequency_;
-  three_words rate_;  // half periods in a second, ωn/π
+  S theta_, omega_;
+  wide<S> frequency_, inverse_;
+  S rate_[3];
 };
 
 }  // namespace pendula

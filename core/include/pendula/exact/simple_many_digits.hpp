@@ -2,10 +2,14 @@
 // and where so many periods have passed that those of a `wide` rate do not reach.
 #pragma once
 
-#include "pendula/exact/linear.hpp"
+#include "pendula/exact/many_digits.hpp"
 #include "pendula/exact/simple.hpp"
 
 namespace pendula {
+
+inline many_digits natural_frequency_in_many_digits(double length, double gravity) {
+  return sqrt(many_digits(gravity) / length);
+}
 
 // For |θ| < 2^50, where its own last bit is a small part of a turn.
 inline simple_start<double> start_of_many_digits(double length, double gravity, double theta, double omega) {
