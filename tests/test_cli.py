@@ -102,6 +102,18 @@ def test_periods_are_printed_to_the_last_digit(call: Call) -> None:
         assert ratio == period / small
 
 
+def test_the_period_through_a_state(call: Call) -> None:
+    """A rotation, and the separatrix."""
+    _, printed, _ = call("period simple --length 50cm --theta 30deg --omega 20rad/s")
+    theta, omega, period, ratio = map(float, printed.splitlines()[-1].split())
+    system = pendula.SimplePendulum(0.5)
+    assert period == system.period(state=(theta, omega))
+    assert ratio < 1
+    assert call("period simple --length 1m --gravity 1m/s^2 --theta 0deg --omega 2rad/s")[
+        1
+    ].splitlines()[-1].split()[2:] == ["inf", "inf"]
+
+
 def test_the_linear_period_does_not_depend_on_the_amplitude(call: Call) -> None:
     _, printed, _ = call("period linear --amplitude 1deg,90deg")
     assert [row.split()[-1] for row in printed.splitlines()[1:]] == ["1.0", "1.0"]
