@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 
 #include "arrays.hpp"
 #include "pendula/exact/incomplete_F.hpp"
@@ -18,12 +19,26 @@ pendula::modulus<double> modulus_of(double given, bool complement) {
   return complement ? pendula::modulus<double>::from_kc(given) : pendula::modulus<double>::from_k(given);
 }
 
+// work(i) from 0 to count by steps, with the lock of the interpreter released, and a look at signals now and then.
+template <class Work>
+void in_blocks(std::size_t count, std::size_t step, Work&& work) {
+  using clock = std::chrono::steady_clock;
+  nb::gil_scoped_release released;
+  auto looked = clock::now();
+  for (std::size_t i = 0; i < count; i += step) {
+    work(i);
+    if (clock::now() - looked < std::chrono::milliseconds(100)) continue;
+    looked = clock::now();
+    nb::gil_scoped_acquire held;
+    if (PyErr_CheckSignals() != 0) throw nb::python_error();
+  }
+}
+
 // f(modulus, i) over an array of moduli.
 template <class Function>
 array_out over_moduli(const array_in& moduli, bool complement, Function&& f) {
   new_array out({moduli.shape(0)});
-  nb::gil_scoped_release released;
-  for (std::size_t i = 0; i < moduli.shape(0); ++i) out.data[i] = f(modulus_of(moduli.data()[i], complement), i);
+  in_blocks(moduli.shape(0), 1, [&](std::size_t i) { out.data[i] = f(modulus_of(moduli.data()[i], complement), i); });
   return out.array;
 }
 
@@ -64,18 +79,15 @@ auto jacobi(const array_in& u, const array_in& moduli, bool complement) {
   check_lengths(moduli, u);
   const std::size_t count = u.shape(0);
   std::array<new_array, 4> out{new_array({count}), new_array({count}), new_array({count}), new_array({count})};
-  {
-    nb::gil_scoped_release released;
-    for (std::size_t i = 0; i < count; i += 4) {
-      const S k = four_from(moduli.data(), i, count), argument = four_from(u.data(), i, count);
-      const auto m = complement ? pendula::modulus<S>::from_kc(k) : pendula::modulus<S>::from_k(k);
-      const auto [am, sn, cn, dn] = pendula::jacobi_functions<S>(m)(argument);
-      const std::array values{am, sn, cn, dn};
-      for (std::size_t which = 0; which < 4; ++which)
-        for (std::size_t l = 0; l < std::min<std::size_t>(4, count - i); ++l)
-          out[which].data[i + l] = values[which][static_cast<int>(l)];
-    }
-  }
+  in_blocks(count, 4, [&](std::size_t i) {
+    const S k = four_from(moduli.data(), i, count), argument = four_from(u.data(), i, count);
+    const auto m = complement ? pendula::modulus<S>::from_kc(k) : pendula::modulus<S>::from_k(k);
+    const auto [am, sn, cn, dn] = pendula::jacobi_functions<S>(m)(argument);
+    const std::array values{am, sn, cn, dn};
+    for (std::size_t which = 0; which < 4; ++which)
+      for (std::size_t l = 0; l < std::min<std::size_t>(4, count - i); ++l)
+        out[which].data[i + l] = values[which][static_cast<int>(l)];
+  });
   return std::tuple(out[0].array, out[1].array, out[2].array, out[3].array);
 }
 

@@ -5,6 +5,7 @@
 
 #include "arrays.hpp"
 #include "described.hpp"
+#include "pendula/scalar/whole_turns.hpp"
 
 using namespace pendula_python;
 using namespace nb::literals;
@@ -56,6 +57,12 @@ array_out positions(const description& d, const matrix_in& states) {
   return out.array;
 }
 
+array_out within_range_of_sine(const array_in& angles) {
+  new_array out({angles.shape(0)});
+  std::transform(angles.data(), angles.data() + angles.shape(0), out.data, pendula::within_range_of_sine);
+  return out.array;
+}
+
 // The numbers the equations are written in, by name; all have to be finite for a run to make sense.
 nb::dict constants(const description& d) {
   nb::dict named;
@@ -73,6 +80,8 @@ void bind_systems(nb::module_& m) {
       .def(nb::init<std::string, std::size_t, std::vector<double>>(), "system"_a, "form"_a, "parameters"_a);
   m.def("rhs", &rhs, "description"_a, "states"_a, "Time derivative of each state, (n, d).");
   m.def("energies", &energies, "description"_a, "states"_a, "Kinetic and potential energy of each state [J].");
+  m.def("within_range_of_sine", &within_range_of_sine, "angles"_a,
+        "The same directions, without whole turns where the angle is too large for the sine [rad].");
   m.def("positions", &positions, "description"_a, "states"_a, "Bob, or end of each rod, (n, d/2, 2) [m].");
   m.def("constants", &constants, "description"_a,
         nb::sig("def constants(description: Description) -> dict[str, float]"),

@@ -36,7 +36,7 @@ void by_blocks(const double* from, std::size_t count, double* to, Block&& block)
 void states(double length, double gravity, const double* states, std::size_t count, double t, double t0, double* out,
             unsigned char* lacking) {
   using S = lanes_of_numbers;
-  const simple_constants<S> constants{S(length), S(gravity)};
+  const simple_constants<S> constants(length, gravity);
   const wide<S> elapsed(two_sum(S(t), S(-t0)));
   by_blocks<2>(states, count, out, [&](const double* from, double* to, std::size_t i) {
     S theta, omega;
@@ -50,7 +50,7 @@ void states(double length, double gravity, const double* states, std::size_t cou
 void times(double length, double gravity, const double* state, const double* t, std::size_t count, double t0,
            double* out, unsigned char* lacking) {
   using S = lanes_of_numbers;
-  const simple_constants<S> constants{S(length), S(gravity)};
+  const simple_constants<S> constants(length, gravity);
   const simple_motion<S> motion(constants, start_of(constants, S(state[0]), S(state[1])));
   by_blocks<1>(t, count, out, [&](const double* from, double* to, std::size_t i) {
     S time;

@@ -81,7 +81,7 @@ std::uint64_t hash_of_catalogue() {
 template <class S>
 void exact_motions(hash& all) {
   constexpr int width = lanes<S>::count;
-  const simple_constants<S> constants(S(1.3), S(9.81));
+  const simple_constants<S> constants(1.3, 9.81);
   for (double omega : {0.0, 2.5, -5.4937, 0.001, 60.0}) {
     for (int first = 0; first < trajectories; first += width) {
       S theta, speed, size;
@@ -106,7 +106,7 @@ void exact_motions(hash& all) {
 void single_numbers(hash& all) {
   for (double theta : {0.5, 2.0, -3.1, 40.0})
     for (double omega : {0.0, -1.0, 7.0}) {
-      const simple_motion<double> motion({1.3, 9.81}, start_of_many_digits(1.3, 9.81, theta, omega));
+      const simple_motion<double> motion({1.3, 9.81}, start_of_many_digits(1.3, 9.81, theta, omega).start);
       const auto [angle, speed, enough] = motion.at(wide<double>(3e13));
       for (double x :
            {angle, speed, simple_period(1.3, 9.81, theta, omega), simple_action(1.3, 9.81, 2.0, theta, omega),

@@ -57,7 +57,7 @@ BOOST_AUTO_TEST_CASE(every_machine_and_every_number_of_points_gives_the_same_bit
 
 BOOST_AUTO_TEST_CASE(what_is_too_large_is_refused) {
   const auto& kernels = *pendula_kernels::all_exact().back();
-  const double far = 1e16, near = 1.0, states[] = {1.0, 0.0, 1e16, 0.0};
+  const double far = 1e62, near = 1.0, states[] = {1.0, 0.0, 1e16, 0.0};
   double out[4];
   BOOST_TEST(
       (pendula::exact_simple(kernels, {1.0, 9.81, states, 1, &far, 1, 0.0}, out, always) == exact_outcome::refused));
@@ -85,7 +85,7 @@ BOOST_AUTO_TEST_CASE(many_digits_go_on_where_wide_numbers_end) {  // on both sid
   const double length = 1.0, gravity = 9.81;
   const pendula::simple_constants<double> constants(length, gravity);
   const pendula::simple_motion<double> wide(constants, pendula::start_of(constants, 2.0, 1.0));
-  const pendula::simple_motion<double> many(constants, pendula::start_of_many_digits(length, gravity, 2.0, 1.0));
+  const pendula::simple_motion<double> many(constants, pendula::start_of_many_digits(length, gravity, 2.0, 1.0).start);
   for (double t : {0.3, -70.0, 1e6, 1e10}) {
     const auto a = wide.at(pendula::wide<double>(t)), b = many.at(pendula::wide<double>(t));
     BOOST_TEST(a.digits_enough);

@@ -28,6 +28,11 @@ def rhs(description: Description, states: Annotated[NDArray[numpy.float64], dict
 def energies(description: Description, states: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)]) -> tuple[NDArray[numpy.float64], NDArray[numpy.float64]]:
     """Kinetic and potential energy of each state [J]."""
 
+def within_range_of_sine(angles: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)]) -> NDArray[numpy.float64]:
+    """
+    The same directions, without whole turns where the angle is too large for the sine [rad].
+    """
+
 def positions(description: Description, states: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)]) -> NDArray[numpy.float64]:
     """Bob, or end of each rod, (n, d/2, 2) [m]."""
 
@@ -43,7 +48,9 @@ largest_start_angle: float = 1125899906842624.0
 
 largest_start_speed: float = 8.452712498170644e+270
 
-most_half_periods: float = 1125899906842624.0
+counted_half_periods: float = 1125899906842624.0
+
+most_half_periods: float = 1.6069380442589903e+60
 
 def exact_linear(length: float, gravity: float, states: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], t: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], t0: float, out: Annotated[NDArray[numpy.float64], dict(shape=(None, None, None), order='C', device='cpu')]) -> bool:
     """

@@ -149,6 +149,19 @@ def energies(description: Description, states: Array) -> tuple[Array, Array]:
     return kinetic.reshape(states.shape[:-1]), potential.reshape(states.shape[:-1])
 
 
+def within_range_of_sine(states: Array) -> Array:
+    """States (..., d) whose angles are the same directions, but small enough for the sine."""
+    import numpy as np
+
+    half = states.shape[-1] // 2
+    if not (abs(states[..., :half]) >= LARGEST_ANGLE).any():
+        return states
+    reduced = states.copy()
+    angles = np.ascontiguousarray(states[..., :half])
+    reduced[..., :half] = _core.within_range_of_sine(angles.ravel()).reshape(angles.shape)
+    return reduced
+
+
 LARGEST_ANGLE = _core.largest_angle  # the sine ends there [rad]
 constants = _core.constants
 solve_fixed = _core.solve_fixed
@@ -156,6 +169,7 @@ exact_solutions = {"linear": _core.exact_linear, "simple": _core.exact_simple}
 time_at = {"linear": _core.linear_time_at, "simple": _core.simple_time_at}
 LARGEST_START_ANGLE = _core.largest_start_angle  # of a closed form [rad]
 LARGEST_START_SPEED = _core.largest_start_speed  # of a closed form [natural frequencies]
+COUNTED_HALF_PERIODS = _core.counted_half_periods  # the same, of the linear pendulum
 MOST_HALF_PERIODS = _core.most_half_periods  # of a closed form
 simple_period = _core.simple_period
 simple_action = _core.simple_action

@@ -32,8 +32,8 @@ def exact(system: System, state: ArrayLike, t: ArrayLike, *, t0: float = 0.0) ->
 
     Raises:
         ValueError: for a system without a closed form, values that are not finite, an angle of
-            2^50 rad or more, a speed of 2^900 natural frequencies, or a time more than 2^50 half
-            periods away.
+            2^50 rad or more, a speed of 2^900 natural frequencies, or a time more than 2^200 half
+            periods away (linear: an amplitude of 2^900 rad, 2^50 half periods).
     """
     _checked(system)
     start = states_array(state, system.components)
@@ -56,7 +56,8 @@ def time_at(system: System, state: ArrayLike, theta: ArrayLike) -> Any:
         where the motion never does.
 
     Raises:
-        ValueError: for a system without a closed form, or values that are not finite.
+        ValueError: for a system without a closed form, values that are not finite, or a state
+            too large, as for `exact`.
     """
     import numpy as np
 

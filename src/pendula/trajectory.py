@@ -188,11 +188,14 @@ def _refuse(system: System, states: Array, elapsed: Array, out: Array) -> None:
     """Say which state or time the closed form refused."""
     import numpy as np
 
-    which, when, _ = np.argwhere(np.isnan(out))[0]
+    where = int(np.isnan(out[..., 0]).argmax())
+    which, when = divmod(where, elapsed.size)
     if isinstance(system, LinearPendulum | SimplePendulum):
         system.check_start(states[which])
+    linear = isinstance(system, LinearPendulum)
+    most = _engine.COUNTED_HALF_PERIODS if linear else _engine.MOST_HALF_PERIODS
     raise ValueError(
-        f"t must lie within 2^{math.log2(_engine.MOST_HALF_PERIODS):.0f} half periods of t0: "
-        "later, the rounding of t is a good part of one; "
+        f"t must lie within 2^{math.log2(most):.0f} half periods of t0, which are all that is "
+        "counted; take whole periods off; "
         f"got t - t0 = {float(elapsed[when])!r} s from state {states[which].tolist()}"
     )

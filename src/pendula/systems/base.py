@@ -50,11 +50,12 @@ class System:
 
     def rhs(self, states: ArrayLike) -> Array:
         """Time derivatives (..., d) of states (..., d) [rad/s, rad/s²]."""
-        return _engine.rows("rhs", self._description(), states_array(states, self.components))
+        return _engine.rows("rhs", self._description(), self._directions(states))
 
     def positions(self, states: ArrayLike) -> Array:
         """The bob, or the end of each rod, (..., d/2, 2) [m]: pivot at the origin, y upward."""
-        return _engine.rows("positions", self._description(), states_array(states, self.components))
+        given = states_array(states, self.components)
+        return _engine.rows("positions", self._description(), _engine.within_range_of_sine(given))
 
     def kinetic_energy(self, states: ArrayLike) -> Array:
         """Kinetic energy (...) of states (..., d) [J]."""
@@ -74,7 +75,11 @@ class System:
         return {"name": self.name, "form": self.form, "parameters": self.parameters}
 
     def _energies(self, states: ArrayLike) -> tuple[Array, Array]:
-        return _engine.energies(self._description(), states_array(states, self.components))
+        return _engine.energies(self._description(), self._directions(states))
+
+    def _directions(self, states: ArrayLike) -> Array:
+        """The states, as the sine can take them, where angles are directions and nothing more."""
+        return _engine.within_range_of_sine(states_array(states, self.components))
 
     def _rows(self) -> tuple[_engine.Parameter, ...]:
         entry = _engine.system_entries()[self.name]

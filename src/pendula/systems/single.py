@@ -20,6 +20,7 @@ if TYPE_CHECKING:
 @dataclass(frozen=True)
 class _OneBob(System):
     form: ClassVar[str] = ""  # type: ignore[misc]  # the one form there is
+    largest_start: ClassVar[float]  # angle of a closed form's start [rad]
 
     length: float = 1.0
     gravity: float = STANDARD_GRAVITY
@@ -40,13 +41,14 @@ class _OneBob(System):
         """Refuse states (..., 2) that the closed form has no digits for.
 
         Raises:
-            ValueError: for an angle of 2^50 rad or more, or a speed of 2^900 natural frequencies.
+            ValueError: for an angle of 2^50 rad or more (linear: 2^900), or a speed of 2^900
+                natural frequencies.
         """
         angles, speeds = abs(states[..., 0]), abs(states[..., 1])
-        if (angles >= _engine.LARGEST_START_ANGLE).any():
+        if (angles >= self.largest_start).any():
             raise ValueError(
-                f"state must have an angle below 2^{math.log2(_engine.LARGEST_START_ANGLE):.0f} "
-                f"rad, got {float(angles.max())!r}; take whole turns off"
+                f"state must have an angle below 2^{math.log2(self.largest_start):.0f} rad, "
+                f"got {float(angles.max())!r}; take whole turns off"
             )
         most = _engine.LARGEST_START_SPEED * self.natural_frequency
         if (speeds >= most).any():
@@ -70,6 +72,11 @@ class LinearPendulum(_OneBob):
     """
 
     name: ClassVar[str] = "linear"
+    largest_start: ClassVar[float] = _engine.LARGEST_START_SPEED
+
+    def _directions(self, states: ArrayLike) -> Array:
+        """The angles as they are: the linear model's force and energy grow with them."""
+        return states_array(states, self.components)
 
     def period(self, amplitude: ArrayLike | None = None, *, state: ArrayLike | None = None) -> Any:
         """2π/ωn [s], the same for every amplitude or state; shaped as they are."""
@@ -98,6 +105,7 @@ class SimplePendulum(_OneBob):
     """
 
     name: ClassVar[str] = "simple"
+    largest_start: ClassVar[float] = _engine.LARGEST_START_ANGLE
 
     def period(self, amplitude: ArrayLike | None = None, *, state: ArrayLike | None = None) -> Any:
         """Period of the motion of that amplitude, or through that state [s].
@@ -134,7 +142,7 @@ class SimplePendulum(_OneBob):
 
         angles = finite_array("amplitude", amplitude, "rad")
         if (np.abs(angles) > math.pi).any():
-            largest = float(np.abs(angles).max())
+            largest = float(angles.flat[int(np.abs(angles).argmax())])
             raise ValueError(
                 f"amplitude must lie within [-pi, pi] [rad], got {largest!r}; "
                 "for a motion over the top give state=(theta0, omega0)"

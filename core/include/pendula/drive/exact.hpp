@@ -12,8 +12,8 @@
 
 namespace pendula {
 
-inline constexpr double most_half_periods =
-    0x1p50;  // of |ωn t/2K|: beyond, the rounding of t itself is part of a period
+inline constexpr double counted_half_periods = 0x1p50;  // that three doubles count; beyond, a hundred digits do
+inline constexpr double most_half_periods = 0x1p200;    // that those count; of the linear pendulum, the former
 inline constexpr double largest_start_angle = 0x1p50;
 inline constexpr double largest_start_speed = 0x1p900;  // in natural frequencies
 
@@ -27,35 +27,57 @@ struct exact_request {
   double t0;
 };
 
-// `refused`: some angle or time is too large, and its points are NaN.
+// `refused`: some state or time is too large; NaN tells which (of the linear pendulum, the first one).
 enum class exact_outcome { complete, refused, stopped };
 
 namespace detail {
 
 inline constexpr std::size_t times_worth_a_setup = 8;
 inline constexpr std::size_t block = std::size_t{1}
-                                     << 16;     // points between two looks at whether to go on: a millisecond
-inline constexpr std::size_t slow_block = 256;  // of states that need many digits: some ten milliseconds
+                                     << 16;      // points between two looks at whether to go on: a millisecond
+inline constexpr std::size_t slow_block = 1024;  // of what takes many digits: at most a tenth of a second
 
-// The points of one state that need more digits; false where no digits help.
-inline bool with_many_digits(const exact_request& asked, std::size_t state, const unsigned char* lacking, double* out) {
-  const double theta = asked.states[2 * state], omega = asked.states[2 * state + 1];
-  std::optional<simple_motion<double>> motion;
+// One state with many digits, made when the first point asks for it.
+class many_digit_motion {
+ public:
+  many_digit_motion(const exact_request& asked, std::size_t state)
+      : prepared_(
+            start_of_many_digits(asked.length, asked.gravity, asked.states[2 * state], asked.states[2 * state + 1])),
+        motion_(simple_constants<double>(asked.length, asked.gravity), prepared_.start) {}
+
+  simple_motion<double>::point at(double t, double t0) const {
+    const wide<double> elapsed(two_sum(t, -t0));
+    const double half_periods = motion_.half_periods(elapsed.hi);
+    if (half_periods < counted_half_periods) return motion_.at(elapsed);
+    if (!(half_periods < most_half_periods)) return {NAN, NAN, false};
+    const auto [whole, parity, rest] = nearest_count(prepared_.rate * many_digits_of(elapsed));
+    return motion_.at_phase(whole, parity, rest);
+  }
+
+ private:
+  many_digit_start prepared_;
+  simple_motion<double> motion_;
+};
+
+// The points of one state that need more digits. `refused`: some for which no digits help.
+template <class GoOn>
+exact_outcome with_many_digits(const exact_request& asked, std::size_t state, const unsigned char* lacking, double* out,
+                               GoOn&& go_on) {
+  const double fastest = largest_start_speed * std::sqrt(asked.gravity / asked.length);
+  const bool able =
+      std::fabs(asked.states[2 * state]) < largest_start_angle && std::fabs(asked.states[2 * state + 1]) < fastest;
+  std::optional<many_digit_motion> motion;
   bool all = true;
   for (std::size_t j = 0; j < asked.time_count; ++j) {
+    if (j % slow_block == slow_block - 1 && !go_on()) return exact_outcome::stopped;
     if (!lacking[j]) continue;
-    if (!motion && std::fabs(theta) < largest_start_angle &&
-        std::fabs(omega) < largest_start_speed * std::sqrt(asked.gravity / asked.length))
-      motion.emplace(simple_constants<double>(asked.length, asked.gravity),
-                     start_of_many_digits(asked.length, asked.gravity, theta, omega));
-    const wide<double> elapsed(two_sum(asked.times[j], -asked.t0));
-    const bool within = motion && motion->half_periods(elapsed.hi) < most_half_periods;
-    const auto point = within ? motion->at(elapsed) : simple_motion<double>::point{NAN, NAN, false};
+    if (able && !motion) motion.emplace(asked, state);
+    const auto point = able ? motion->at(asked.times[j], asked.t0) : simple_motion<double>::point{NAN, NAN, false};
     out[2 * j] = point.theta;
     out[2 * j + 1] = point.omega;
-    all = all && within;
+    all = all && !std::isnan(point.theta);
   }
-  return all;
+  return all ? exact_outcome::complete : exact_outcome::refused;
 }
 
 // Many states at each of a few times.
@@ -111,12 +133,14 @@ exact_outcome exact_simple(const pendula_kernels::exact& kernels, const exact_re
                         ? detail::time_by_time(kernels, asked, out, lacking.data(), go_on)
                         : detail::state_by_state(kernels, asked, out, lacking.data(), go_on);
   if (!done) return exact_outcome::stopped;
+  if (m * n == 0 || std::memchr(lacking.data(), 1, m * n) == nullptr) return exact_outcome::complete;
   bool all = true;
   std::size_t slow = 0;
-  if (std::memchr(lacking.data(), 1, m * n) == nullptr) return exact_outcome::complete;
   for (std::size_t i = 0; i < m; ++i) {
     if (std::memchr(lacking.data() + i * n, 1, n) == nullptr) continue;
-    all = detail::with_many_digits(asked, i, lacking.data() + i * n, out + 2 * i * n) && all;
+    const auto outcome = detail::with_many_digits(asked, i, lacking.data() + i * n, out + 2 * i * n, go_on);
+    if (outcome == exact_outcome::stopped) return outcome;
+    all = all && outcome == exact_outcome::complete;
     if (++slow % detail::slow_block == 0 && !go_on()) return exact_outcome::stopped;
   }
   return all ? exact_outcome::complete : exact_outcome::refused;
@@ -130,20 +154,30 @@ exact_outcome exact_linear(const pendula_kernels::exact& kernels, const exact_re
   const auto [head, tail] = wide_of(frequency);
   const auto [rate, middle, rest] = words_of(frequency / pi_in_many_digits());
   const double frequency_words[2] = {head, tail}, rate_words[3] = {rate, middle, rest};
-  const auto within = [&](double t) { return std::fabs(t - asked.t0) * rate < most_half_periods; };
+  const auto within = [&](double t) { return std::fabs(t - asked.t0) * rate < counted_half_periods; };
   const double* const last = asked.times + asked.time_count;
   if (asked.state_count == 0) return exact_outcome::complete;
+  const double fastest = largest_start_speed * frequency_words[0];
+  for (std::size_t i = 0; i < asked.state_count; ++i)
+    if (!(std::fabs(asked.states[2 * i]) < largest_start_speed && std::fabs(asked.states[2 * i + 1]) < fastest)) {
+      std::fill_n(out, 2 * asked.state_count * asked.time_count, 0.0);
+      std::fill_n(out + 2 * i * asked.time_count, 2 * asked.time_count, NAN);
+      return exact_outcome::refused;
+    }
   if (const double* far = std::find_if_not(asked.times, last, within); far != last) {
     std::fill_n(out, 2 * asked.state_count * asked.time_count, 0.0);
     out[2 * (far - asked.times)] = NAN;  // tells which
     return exact_outcome::refused;
   }
+  std::size_t points = 0;
   for (std::size_t i = 0; i < asked.state_count; ++i)
     for (std::size_t first = 0; first < asked.time_count; first += detail::block) {
       const std::size_t count = std::min(detail::block, asked.time_count - first), place = i * asked.time_count + first;
       kernels.linear(frequency_words, rate_words, asked.states + 2 * i, asked.times + first, count, asked.t0,
                      out + 2 * place);
-      if ((count == detail::block || i % detail::block == 0) && !go_on()) return exact_outcome::stopped;
+      if ((points += count) < detail::block) continue;
+      points = 0;
+      if (!go_on()) return exact_outcome::stopped;
     }
   return exact_outcome::complete;
 }

@@ -25,10 +25,22 @@ struct simple_constants {
   wide<S> half_over_frequency;  // 1/2ωn
   wide<S> frequency_over_pi;
 
-  simple_constants(S length, S gravity)
-      : frequency(square_root(wide<S>(gravity) / wide<S>(length))),
-        half_over_frequency(wide<S>(0.5) / frequency),
-        frequency_over_pi(frequency * wide_pi<S>::inverse()) {}
+  // Of mantissas, and the power of two apart: no length or gravity is too large or too small.
+  simple_constants(double length, double gravity) {
+    int of_length, of_gravity;
+    double near_length = std::frexp(length, &of_length), near_gravity = std::frexp(gravity, &of_gravity);
+    if ((of_gravity - of_length) % 2 != 0) near_gravity *= 2.0, of_gravity -= 1;
+    const wide<double> root = square_root(wide<double>(near_gravity) / wide<double>(near_length));
+    const int power = (of_gravity - of_length) / 2;
+    frequency = broadcast(root, power);
+    half_over_frequency = broadcast(wide<double>(0.5) / root, -power);
+    frequency_over_pi = broadcast(root * wide_pi<double>::inverse(), power);
+  }
+
+ private:
+  static wide<S> broadcast(wide<double> x, int power) {
+    return {S(std::ldexp(x.hi, power)), S(std::ldexp(x.lo, power))};
+  }
 };
 
 // A state as the closed form takes it.
@@ -125,8 +137,15 @@ class simple_motion {
   // After the time t.
   PENDULA_INLINE point at(wide<S> t) const {
     const auto [half_periods, rest] = phase(t);
+    const point there = at_phase(half_periods, parity_sign(half_periods), rest);
+    const auto moved = opposite(equal(t.hi, S(0.0)));
+    return {choose(moved, there.theta, start_.theta), choose(moved, there.omega, start_.omega), there.digits_enough};
+  }
+
+  // After so many half periods, an even (1) or odd (−1) whole number of them, and the rest of one.
+  PENDULA_INLINE point at_phase(S half_periods, S evenness, wide<S> rest) const {
     auto [s, c, d, w] = theta_(rest);
-    const S parity = choose(rotating_, S(1.0), parity_sign(half_periods));
+    const S parity = choose(rotating_, S(1.0), evenness);
     s = scaled(s, parity), c = scaled(c, parity);
     if (any_lane(rotating_)) {
       const wide<S> dn = d;
@@ -139,9 +158,7 @@ class simple_motion {
     const S speed = start_.b * (c1 * w1) - ac_ * (s1 * d1);
     const S divisor = rounded(quick_sum(start_.c2 * wide<S>(two_product(w1, w1)), a2_ * wide<S>(two_product(c1, c1))));
     const S angle = angle_of(sine, cosine);
-    const S omega = twice_frequency_ * speed / divisor + S(0.0);  // at rest not −0
-    const auto moved = opposite(equal(t.hi, S(0.0)));
-    return {choose(moved, unwrapped(angle, half_periods, rest.hi), start_.theta), choose(moved, omega, start_.omega),
+    return {unwrapped(angle, half_periods, rest.hi), twice_frequency_ * speed / divisor + S(0.0),  // at rest not −0
             good(half_periods)};
   }
 

@@ -11,8 +11,13 @@ inline many_digits natural_frequency_in_many_digits(double length, double gravit
   return sqrt(many_digits(gravity) / length);
 }
 
+struct many_digit_start {
+  simple_start<double> start;
+  many_digits rate;  // half periods in a second; 0 on the separatrix
+};
+
 // For |θ| < 2^50, where its own last bit is a small part of a turn.
-inline simple_start<double> start_of_many_digits(double length, double gravity, double theta, double omega) {
+inline many_digit_start start_of_many_digits(double length, double gravity, double theta, double omega) {
   const many_digits& pi = pi_in_many_digits();
   const many_digits turns = round(theta / (2 * pi));
   const many_digits half = theta / many_digits(2) - turns * pi,
@@ -34,12 +39,12 @@ inline simple_start<double> start_of_many_digits(double length, double gravity, 
   y.rotating = rotating ? 1.0 : 0.0;
   y.spread = 1.0;  // and nothing cancelled: good at any time
   y.cancelled = 0.0;
-  if (complement != 0) {
-    const auto [head, middle, tail] = half_period_rate(complement, frequency * stretch);
-    y.rate = {head, middle};
-    y.rate_tail = tail;
-  }
-  return y;
+  if (complement == 0) return {y, 0};
+  const many_digits rate = half_periods_in_many_digits(complement, frequency * stretch);
+  const auto [head, middle, tail] = words_of(rate);
+  y.rate = {head, middle};
+  y.rate_tail = tail;
+  return {y, rate};
 }
 
 }  // namespace pendula

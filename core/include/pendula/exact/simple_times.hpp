@@ -13,14 +13,14 @@ inline double simple_period(double length, double gravity, double theta, double 
   const simple_constants<double> constants(length, gravity);
   simple_motion<double> motion(constants, start_of(constants, theta, omega));
   if (!motion.at(wide<double>(0.0)).digits_enough)
-    motion = simple_motion<double>(constants, start_of_many_digits(length, gravity, theta, omega));
+    motion = simple_motion<double>(constants, start_of_many_digits(length, gravity, theta, omega).start);
   return motion.period();
 }
 
 // ∮ p dθ / 2π = (8/π) m √(g L³) (E − k'² K) in libration, (4/π) m √(g L³) k E(1/k) in rotation: with DLMF 22.19(i) and
 // 19.2.8. On the separatrix half of a rotation's is all of a libration's.
 inline double simple_action(double length, double gravity, double mass, double theta, double omega) {
-  const simple_start<double> y = start_of_many_digits(length, gravity, theta, omega);
+  const simple_start<double> y = start_of_many_digits(length, gravity, theta, omega).start;
   const wide<double> scale = wide<double>(mass) * wide<double>(length) * square_root(wide<double>(gravity) * length) *
                              wide_pi<double>::inverse();
   const wide<double> k = y.rotating > 0.0 ? wide<double>(1.0) / y.stretch : wide<double>(std::hypot(y.a, y.b));

@@ -1,6 +1,6 @@
 // The Jacobi elliptic functions by theta functions: sn, cn and dn as quotients, DLMF 22.2.4–6, for one modulus. Far
 // from modulus 1 the nome q is small and the series in v = πu/2K (DLMF 20.2) end after five terms; near it the
-// imaginary transformation (DLMF 22.6.1) makes them series in hyperbolic functions whose nome q' is small.
+// imaginary transformation (DLMF 22.6(iv)) makes them series in hyperbolic functions whose nome q' is small.
 #pragma once
 
 #include <numbers>
@@ -10,7 +10,7 @@
 
 namespace pendula {
 
-inline constexpr double near_one = 0.3;  // complementary moduli below take the series in q': q < 0.146, q' < 0.006
+inline constexpr double near_one = 0.3;  // complementary moduli below take the series in q': q < 0.147, q' < 0.006
 
 // sn = s/w, cn = c/w, dn = d/w.
 template <class S>
@@ -53,7 +53,7 @@ struct arithmetic_geometric_mean {
 template <class S>
 class nome_series {
  public:
-  // From √kc: the nome by DLMF 19.5.5 with the terms of OEIS A002103.
+  // From √kc: the nome by DLMF 19.5.6–7 with the terms of OEIS A002103.
   PENDULA_INLINE explicit nome_series(wide<S> root) {
     const wide<S> one(1.0);
     const S e = S(0.5) * ((S(1.0) - root.hi) - root.lo) / (S(1.0) + root.hi), e2 = e * e, e4 = e2 * e2;
