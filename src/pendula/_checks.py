@@ -53,17 +53,30 @@ def positive_number(name: str, value: object, unit: str = "", *, zero: bool = Fa
     return number
 
 
-def finite_array(name: str, value: ArrayLike, unit: str = "") -> NDArray[np.float64]:
-    """`value` as a contiguous array of finite doubles, a copy that its owner cannot change."""
+def numbers_array(name: str, value: ArrayLike, unit: str = "") -> NDArray[np.float64]:
+    """`value` as a contiguous array of doubles, a copy that its owner cannot change."""
     import numpy as np
 
     try:
         array = np.array(value, order="C")
         if array.dtype.kind not in "iuf" and array.size:
             raise TypeError
-        array = array.astype(np.float64, copy=False)
+        return array.astype(np.float64, copy=False)
     except (OverflowError, TypeError, ValueError):
         raise ValueError(f"{name} must hold numbers{_in(unit)}, got {value!r}") from None
+
+
+def finite_array(name: str, value: ArrayLike, unit: str = "") -> NDArray[np.float64]:
+    """`value` as `numbers_array`, of numbers that are neither infinite nor NaN."""
+    array = numbers_array(name, value, unit)
+    check_finite(name, array, unit)
+    return array
+
+
+def check_finite(name: str, array: NDArray[np.float64], unit: str = "") -> None:
+    """Name the first number that is infinite or NaN."""
+    import numpy as np
+
     finite = np.isfinite(array)
     if not finite.all():
         bad = ~finite
@@ -73,12 +86,13 @@ def finite_array(name: str, value: ArrayLike, unit: str = "") -> NDArray[np.floa
             f"{name} must hold finite numbers{_in(unit)}, got {float(array[place])!r}"
             + (f" at {name}{where}" if where else "")
         )
-    return array
 
 
-def states_array(value: ArrayLike, components: tuple[str, ...]) -> NDArray[np.float64]:
-    """`value` as finite states of shape (..., d)."""
-    states = finite_array("state", value)
+def states_array(
+    value: ArrayLike, components: tuple[str, ...], *, finite: bool = True
+) -> NDArray[np.float64]:
+    """`value` as states of shape (..., d), finite unless the caller sees to that."""
+    states = (finite_array if finite else numbers_array)("state", value)
     if states.ndim == 0 or states.shape[-1] != len(components):
         raise ValueError(
             f"state must be ({', '.join(components)}) or an array of such rows, "

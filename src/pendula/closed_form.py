@@ -36,7 +36,7 @@ def exact(system: System, state: ArrayLike, t: ArrayLike, *, t0: float = 0.0) ->
             periods away (linear: an amplitude of 2^900 rad, 2^50 half periods).
     """
     _checked(system)
-    start = states_array(state, system.components)
+    start = states_array(state, system.components, finite=False)  # the core refuses others
     origin = finite_number("t0", t0, "s")
     times = finite_array("t", t, "s").reshape(-1)
     states = exact_states(system, start, times, origin)

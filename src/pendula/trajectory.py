@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from pendula import _engine
-from pendula._checks import finite_array
+from pendula._checks import check_finite, finite_array
 from pendula.systems import LinearPendulum, SimplePendulum
 
 if TYPE_CHECKING:
@@ -179,7 +179,10 @@ def exact_states(system: System, state: Array, t: Array, t0: float) -> Array:
     length, gravity, _ = system.parameters.values()
     states = np.ascontiguousarray(state.reshape(-1, 2))
     out = np.empty((len(states), t.size, 2))
+    if t.size == 0:
+        check_finite("state", state)
     if not _engine.exact_solutions[system.name](length, gravity, states, t, t0, out):
+        check_finite("state", state)
         _refuse(system, states, t - t0, out)
     return out.reshape((*state.shape[:-1], t.size, 2))
 

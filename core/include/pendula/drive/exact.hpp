@@ -86,17 +86,20 @@ bool time_by_time(const pendula_kernels::exact& kernels, const exact_request& as
                   unsigned char* lacking, GoOn&& go_on) {
   const std::size_t n = asked.time_count;
   std::vector<double> then(n == 1 ? 0 : 2 * block);
-  std::vector<unsigned char> lacking_then(block);
+  std::vector<unsigned char> lacking_then(n == 1 ? 0 : block);
   for (std::size_t first = 0; first < asked.state_count; first += block) {
     const std::size_t m = std::min(block, asked.state_count - first);
-    for (std::size_t j = 0; j < n; ++j) {
-      double* const to = n == 1 ? out + 2 * first : then.data();
+    const auto at_time = [&](std::size_t j, double* to, unsigned char* lacks) {
+      kernels.states(asked.length, asked.gravity, asked.states + 2 * first, m, asked.times[j], asked.t0, to, lacks);
+    };
+    if (n == 1) at_time(0, out + 2 * first, lacking + first);
+    for (std::size_t j = 0; n > 1 && j < n; ++j) {
       std::memset(lacking_then.data(), 0, m);
-      kernels.states(asked.length, asked.gravity, asked.states + 2 * first, m, asked.times[j], asked.t0, to,
-                     lacking_then.data());
-      for (std::size_t i = 0; i < m; ++i) lacking[(first + i) * n + j] = lacking_then[i];
-      for (std::size_t i = 0; n > 1 && i < m; ++i)
-        std::memcpy(out + 2 * ((first + i) * n + j), to + 2 * i, 2 * sizeof(double));
+      at_time(j, then.data(), lacking_then.data());
+      for (std::size_t i = 0; i < m; ++i) {
+        lacking[(first + i) * n + j] = lacking_then[i];
+        std::memcpy(out + 2 * ((first + i) * n + j), then.data() + 2 * i, 2 * sizeof(double));
+      }
     }
     if (!go_on()) return false;
   }
