@@ -8,9 +8,9 @@ import click
 
 from pendula import _engine
 
-_OTHER_NAMES = {"t": "--until", "state": "the start", "step": "--step", "amplitude": "--amplitude"}
+_OTHER_NAMES = {"t": "the time", "state": "the start", "step": "--step", "amplitude": "--amplitude"}
 _CALLS = {  # what Python would be told to write
-    "; for a motion over the top give state=(theta0, omega0)": "",
+    "give state=(theta0, omega0)": "give --theta and --omega",
     "use solve": "use pendula solve",
     "overwrite=True": "--force",
     "another folder or overwrite it": "another folder or pass --force",

@@ -53,9 +53,6 @@ inline many_digits mean_in_many_digits(many_digits a, many_digits b) {
 inline many_digits half_periods_in_many_digits(const many_digits& kc, const many_digits& stretch = 1) {
   return stretch * mean_in_many_digits(1, kc) / pi_in_many_digits();
 }
-inline three_words half_period_rate(const many_digits& kc, const many_digits& stretch = 1) {
-  return words_of(half_periods_in_many_digits(kc, stretch));
-}
 
 // The nearest whole number, whether it is even, and the rest. It wants the digits of both: the number is below 2^200.
 struct counted_halves {
