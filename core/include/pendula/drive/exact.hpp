@@ -33,11 +33,10 @@ enum class exact_outcome { complete, refused, stopped };
 namespace detail {
 
 inline constexpr std::size_t times_worth_a_setup = 8;
-inline constexpr std::size_t block = std::size_t{1}
-                                     << 16;      // points between two looks at whether to go on: a millisecond
+inline constexpr std::size_t block = 65536;      // points between two looks at whether to go on: a millisecond
 inline constexpr std::size_t slow_block = 1024;  // of what takes many digits: at most a tenth of a second
 
-// One state with many digits, made when the first point asks for it.
+// One state with many digits.
 class many_digit_motion {
  public:
   many_digit_motion(const exact_request& asked, std::size_t state)
