@@ -30,11 +30,16 @@ concept Scalar = std::constructible_from<S, double> && requires(S a, S b) {
   { -a } -> std::convertible_to<S>;
 };
 
-// A system over one scalar: constants, right-hand side and energies.
+// A system over one scalar: constants, right-hand side and energies, and the same motion in canonical variables
+// (angles…, momenta…). Separable: H = T(p) + V(θ).
 template <class Sys>
 concept SystemOver = requires(const Sys& system, const typename Sys::state& y) {
   { Sys::dimension } -> std::convertible_to<std::size_t>;
+  { Sys::separable } -> std::convertible_to<bool>;
   { system.rhs(y) } -> std::same_as<typename Sys::state>;
+  { system.canonical(y) } -> std::same_as<typename Sys::state>;
+  { system.from_canonical(y) } -> std::same_as<typename Sys::state>;
+  { system.canonical_rhs(y) } -> std::same_as<typename Sys::state>;
   { system.kinetic_energy(y) } -> std::same_as<typename Sys::scalar>;
   { system.potential_energy(y) } -> std::same_as<typename Sys::scalar>;
   system.positions(y);
@@ -50,7 +55,7 @@ concept System = SystemOver<typename T::template over<double>> && requires(const
   { T::template make<double>(std::size_t{}, p) } -> std::same_as<typename T::template over<double>>;
 };
 
-// An entry of the catalogue's list of methods.
+// An entry of the catalogue's list of methods. One that iterates has no fixed number of evaluations and says 0.
 template <class T>
 concept Method = requires {
   { T::name } -> std::convertible_to<std::string_view>;
@@ -60,5 +65,13 @@ concept Method = requires {
   { T::symplectic } -> std::convertible_to<bool>;
   { T::source } -> std::convertible_to<std::string_view>;
 };
+
+// A method with a system it takes: from a state it begins with what it carries from step to step, its state among it.
+template <class T, class Sys>
+concept StepsOver = SystemOver<Sys> && T::template takes<Sys> &&
+                    requires(const Sys& system, const typename Sys::state& y, const typename Sys::scalar& h) {
+                      { T::step(system, T::begin(system, y), h) } -> std::same_as<decltype(T::begin(system, y))>;
+                      { T::state_of(system, T::begin(system, y)) } -> std::same_as<typename Sys::state>;
+                    };
 
 }  // namespace pendula

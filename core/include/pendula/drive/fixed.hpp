@@ -59,14 +59,26 @@ inline fixed_plan own_steps(double t0, double step, double end) {
   return plan;
 }
 
-// Per lane: how it ended, how many outputs are its own, and the steps it took, whole and shortened.
+// Per lane: how it ended, how many outputs are its own, the steps it took, whole and shortened, and their evaluations.
 struct lane_result {
   outcome ended = outcome::reached_end;
   std::size_t outputs = 0;
-  std::int64_t steps = 0;
+  std::int64_t steps = 0, evaluations = 0;
 };
 
+// Of what a method carries from step to step the drive asks whether it is finite, and that a lane forget where it was.
+// The plain state answers here, the rest next to their methods.
+template <class S, std::size_t dimension>
+PENDULA_INLINE const vec<S, dimension>& head_of(const vec<S, dimension>& y) {
+  return y;
+}
+template <class S, std::size_t dimension>
+void lay_to_rest(vec<S, dimension>& y, int i) {
+  for (S& component : y) set_lane(component, i, 0.0);
+}
+
 template <class Method, SystemOver Sys>
+  requires StepsOver<Method, Sys>
 class fixed_run {
  public:
   using S = typename Sys::scalar;
@@ -75,32 +87,29 @@ class fixed_run {
   using results = std::array<lane_result, width>;
 
   fixed_run(const Sys& system, const state& start, double step, std::int64_t step_limit)
-      : system_(system), y_(start), step_(step), step_limit_(step_limit) {}
+      : system_(system), at_(Method::begin(system, start)), step_(step), step_limit_(step_limit) {}
 
   // Runs through `outputs` (their steps do not decrease) and hands each state to sink(index, state); a lane that
   // has ended hands on NaN. go_on(steps taken) is asked every 2^14 steps; false ends the run as interrupted.
   template <class Sink, class Poll>
   results through(std::span<const fixed_output> outputs, Sink&& sink, Poll&& go_on) {
-    end_lanes_not_finite(y_);
+    end_lanes_not_finite(head_of(at_));
     for (std::size_t i = 0; i < outputs.size() && running_ > 0; ++i) {
       if (!advance(outputs[i].steps, go_on)) break;
-      state y = y_;
-      if (outputs[i].rest != 0.0) {
-        if (steps_ + shortened_ == step_limit_) {
-          end_all(outcome::step_limit);
-          break;
-        }
-        y = Method::step(system_, y_, S(outputs[i].rest));
-        ++shortened_;
-        end_lanes_not_finite(y);
+      if (outputs[i].rest == 0.0) {
+        deliver(i, Method::state_of(system_, at_), sink);
+      } else if (steps_ + shortened_ < step_limit_) {
+        deliver(i, after_shortened_step(outputs[i].rest), sink);
+      } else {
+        end_all(outcome::step_limit);
       }
-      deliver(i, y, sink);
     }
     end_all(outcome::reached_end);
     return results_;
   }
 
  private:
+  using carried = decltype(Method::begin(std::declval<const Sys&>(), std::declval<const state&>()));
   static constexpr std::int64_t between_polls = std::int64_t{1} << 14;
 
   // False where every lane has ended on the way.
@@ -120,19 +129,28 @@ class fixed_run {
     return true;
   }
 
+  state after_shortened_step(double h) {
+    const carried there = Method::step(system_, at_, S(h));
+    ++shortened_;
+    if constexpr (Method::evaluations_per_step == 0)
+      for (int i = 0; i < width; ++i) elsewhere_[i] += evaluations_of(there, i) - evaluations_of(at_, i);
+    end_lanes_not_finite(head_of(there));
+    return Method::state_of(system_, there);
+  }
+
   // The loop all the time is spent in. It stops early only where no lane is left.
   void step_until(std::int64_t until) {
     const S h(step_);
     while (steps_ < until && running_ > 0) {
-      state y = y_;
+      carried at = at_;
       std::int64_t n = steps_;
       do {
-        y = Method::step(system_, y, h);
+        at = Method::step(system_, at, h);
         ++n;
-      } while (all_lanes(finite<S>(y)) && n < until);
-      y_ = y;
+      } while (all_lanes(finite<S>(head_of(at))) && n < until);
+      at_ = at;
       steps_ = n;
-      end_lanes_not_finite(y_);
+      end_lanes_not_finite(head_of(at_));
     }
   }
 
@@ -149,7 +167,12 @@ class fixed_run {
     --running_;
     results_[i].ended = how;
     results_[i].steps = steps_ + shortened_;
-    for (S& component : y_) set_lane(component, i, 0.0);
+    if constexpr (Method::evaluations_per_step == 0) {
+      results_[i].evaluations = evaluations_of(at_, i) + elsewhere_[i];
+    } else {
+      results_[i].evaluations = Method::evaluations_per_step * results_[i].steps;
+    }
+    lay_to_rest(at_, i);
   }
 
   void end_all(outcome how) {
@@ -158,6 +181,7 @@ class fixed_run {
 
   template <class Sink>
   void deliver(std::size_t index, state y, Sink&& sink) {
+    end_lanes_not_finite(y);
     for (int i = 0; i < width; ++i) {
       if (ended_[i]) {
         for (S& component : y) set_lane(component, i, __builtin_nan(""));
@@ -169,9 +193,10 @@ class fixed_run {
   }
 
   const Sys& system_;
-  state y_;
+  carried at_;
   double step_;
   std::int64_t step_limit_, steps_ = 0, shortened_ = 0;
+  std::array<std::int64_t, width> elsewhere_{};  // evaluations of shortened steps
   int running_ = width;
   std::array<bool, width> ended_{};
   results results_{};

@@ -34,6 +34,18 @@ struct explicit_runge_kutta {
   static constexpr int evaluations_per_step = static_cast<int>(stages);
   static constexpr bool adaptive = false, symplectic = false;
   static constexpr std::string_view source = tableau.source;
+  template <SystemOver Sys>
+  static constexpr bool takes = true;
+
+  // It carries the state from step to step and nothing else.
+  template <SystemOver Sys>
+  PENDULA_INLINE static typename Sys::state begin(const Sys&, const typename Sys::state& y) {
+    return y;
+  }
+  template <SystemOver Sys>
+  PENDULA_INLINE static typename Sys::state state_of(const Sys&, const typename Sys::state& carried) {
+    return carried;
+  }
 
   // The state a time h later. h times each coefficient does not change from step to step: compilers lift it out.
   template <SystemOver Sys, class S = typename Sys::scalar>

@@ -13,6 +13,12 @@ PENDULA_INLINE M both(M a, M b) {
   return a & b;
 }
 
+PENDULA_INLINE bool either(bool a, bool b) { return a || b; }
+template <LaneMask M>
+PENDULA_INLINE M either(M a, M b) {
+  return a | b;
+}
+
 PENDULA_INLINE bool opposite(bool a) { return !a; }
 template <LaneMask M>
 PENDULA_INLINE M opposite(M a) {

@@ -48,6 +48,7 @@ struct double_pendulum {
   struct over {
     using scalar = S;
     static constexpr std::size_t dimension = 4;
+    static constexpr bool separable = false;
     using state = vec<S, dimension>;
 
     S A, B, C, D, E;
@@ -67,6 +68,47 @@ struct double_pendulum {
       return {y[2], y[3], (coupling * drop2 - B * drop1) * inverse, (coupling * drop1 - A * drop2) * inverse};
     }
 
+    // All that the canonical equations need of the angles. T is the system's scalar or lanes of it.
+    template <class T>
+    struct posture {
+      T sine1, sine2;
+      T turning, coupling;  // C sin δ, C cos δ
+      T inverse;            // 1/(A B − C² cos² δ)
+    };
+    template <class T>
+    PENDULA_INLINE posture<T> posture_at(const vec<T, 2>& angles) const {
+      const auto [first, second] = sincos(angles[0], angles[1]);
+      const auto [s1, c1] = first;
+      const auto [s2, c2] = second;
+      const T turning = T(C) * (s1 * c2 - c1 * s2), coupling = T(C) * (c1 * c2 + s1 * s2);
+      return {s1, s2, turning, coupling, T(1.0) / (T(determinant_floor) + turning * turning)};
+    }
+    // p1 = A ω1 + C cos δ ω2, p2 = C cos δ ω1 + B ω2, solved for the velocities.
+    template <class T>
+    PENDULA_INLINE vec<T, 2> velocities(const posture<T>& at, const vec<T, 2>& p) const {
+      return {(T(B) * p[0] - at.coupling * p[1]) * at.inverse, (T(A) * p[1] - at.coupling * p[0]) * at.inverse};
+    }
+    // ṗ1 = −C ω1 ω2 sin δ − D sin θ1, ṗ2 = +C ω1 ω2 sin δ − E sin θ2.
+    template <class T>
+    PENDULA_INLINE vec<T, 2> forces(const posture<T>& at, const vec<T, 2>& omega) const {
+      const T exchange = at.turning * (omega[0] * omega[1]);
+      return {-(exchange + T(D) * at.sine1), exchange - T(E) * at.sine2};
+    }
+
+    PENDULA_INLINE state canonical_rhs(const state& z) const {
+      const auto at = posture_at<S>({z[0], z[1]});
+      const auto omega = velocities<S>(at, {z[2], z[3]}), force = forces<S>(at, omega);
+      return {omega[0], omega[1], force[0], force[1]};
+    }
+    PENDULA_INLINE state canonical(const state& y) const {
+      const S coupling = posture_at<S>({y[0], y[1]}).coupling;
+      return {y[0], y[1], A * y[2] + coupling * y[3], coupling * y[2] + B * y[3]};
+    }
+    PENDULA_INLINE state from_canonical(const state& z) const {
+      const auto omega = velocities<S>(posture_at<S>({z[0], z[1]}), {z[2], z[3]});
+      return {z[0], z[1], omega[0], omega[1]};
+    }
+
     S kinetic_energy(const state& y) const {
       const S cos_delta = sincos(y[0] - y[1]).cos;
       return S(0.5) * (A * y[2] * y[2] + B * y[3] * y[3]) + C * y[2] * y[3] * cos_delta;
@@ -79,8 +121,13 @@ struct double_pendulum {
                {"D", D},
                {"E", E},
                {"determinant_floor", determinant_floor},
-               {"energy_scale", D + E}}};
+               {"energy_scale", energy_scale()}}};
     }
+
+    S energy_scale() const { return D + E; }
+    vec<S, 2> lengths() const { return {l1, l2}; }
+    // The sum over both modes of small oscillations, hardly more than that of the fast one.
+    S largest_frequency_squared() const { return (A * E + B * D) / determinant_floor; }
 
     std::array<vec<S, 2>, 2> positions(const state& y) const {
       const auto [s1, c1] = sincos(y[0]);

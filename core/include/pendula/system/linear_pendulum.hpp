@@ -12,7 +12,16 @@ struct linear_pendulum : one_bob {
   struct over : one_bob::over<S> {
     using state = typename one_bob::over<S>::state;
 
-    PENDULA_INLINE state rhs(const state& y) const { return {y[1], -(this->frequency_squared * y[0])}; }
+    template <class T>
+    PENDULA_INLINE T acceleration(T angle) const {
+      return -(T(this->frequency_squared) * angle);
+    }
+    PENDULA_INLINE state rhs(const state& y) const { return {y[1], acceleration(y[0])}; }
+    PENDULA_INLINE state canonical_rhs(const state& z) const { return rhs(z); }
+    template <class T>
+    PENDULA_INLINE posture<T> posture_at(const vec<T, 1>& angles) const {
+      return {acceleration(angles[0])};
+    }
 
     // that of the linear model itself, which it conserves
     S potential_energy(const state& y) const {

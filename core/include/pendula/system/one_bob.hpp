@@ -14,20 +14,43 @@ struct one_bob {
                                          parameter{"mass", "kg", 1.0, false, "mass of the bob"}};
   static constexpr std::array forms{form{"", "point mass on a massless rod", parameters}};
 
+  // All that the canonical equations need of the angle. T is the system's scalar or lanes of it.
+  template <class T>
+  struct posture {
+    T acceleration;
+  };
+
   template <class S>
   struct over {
     using scalar = S;
     static constexpr std::size_t dimension = 2;
+    static constexpr bool separable = true;
     using state = vec<S, dimension>;
 
     S length, gravity, mass;
     S frequency_squared = gravity / length;
 
+    // The canonical equations, with p = ω: the momentum m L² ω up to a constant factor, which changes no motion.
+    template <class T>
+    PENDULA_INLINE vec<T, 1> velocities(const posture<T>&, const vec<T, 1>& p) const {
+      return p;
+    }
+    template <class T>
+    PENDULA_INLINE vec<T, 1> forces(const posture<T>& at, const vec<T, 1>&) const {
+      return {at.acceleration};
+    }
+    PENDULA_INLINE state canonical(const state& y) const { return y; }
+    PENDULA_INLINE state from_canonical(const state& z) const { return z; }
+
     S kinetic_energy(const state& y) const { return S(0.5) * mass * (length * y[1]) * (length * y[1]); }
 
     std::array<constant<S>, 2> constants() const {
-      return {{{"natural_frequency_squared", frequency_squared}, {"energy_scale", mass * gravity * length}}};
+      return {{{"natural_frequency_squared", frequency_squared}, {"energy_scale", energy_scale()}}};
     }
+
+    S energy_scale() const { return mass * gravity * length; }
+    vec<S, 1> lengths() const { return {length}; }
+    S largest_frequency_squared() const { return frequency_squared; }
 
     std::array<vec<S, 2>, 1> positions(const state& y) const {
       const auto [s, c] = sincos(y[0]);

@@ -12,7 +12,16 @@ struct simple_pendulum : one_bob {
   struct over : one_bob::over<S> {
     using state = typename one_bob::over<S>::state;
 
-    PENDULA_INLINE state rhs(const state& y) const { return {y[1], -(this->frequency_squared * sincos(y[0]).sin)}; }
+    template <class T>
+    PENDULA_INLINE T acceleration(T angle) const {
+      return -(T(this->frequency_squared) * sincos(angle).sin);
+    }
+    PENDULA_INLINE state rhs(const state& y) const { return {y[1], acceleration(y[0])}; }
+    PENDULA_INLINE state canonical_rhs(const state& z) const { return rhs(z); }
+    template <class T>
+    PENDULA_INLINE posture<T> posture_at(const vec<T, 1>& angles) const {
+      return {acceleration(angles[0])};
+    }
 
     S potential_energy(const state& y) const {  // eq. 4, with the L it lost
       return this->mass * this->gravity * this->length * one_minus_cos(y[0]);
