@@ -59,6 +59,11 @@ nb::dict method_row() {
   row["evaluations_per_step"] = Method::evaluations_per_step;
   row["adaptive"] = Method::adaptive;
   row["symplectic"] = Method::symplectic;
+  nb::list systems;
+  pendula::for_each<pendula::systems>([&]<class Sys>() {
+    if constexpr (pendula::takes<Method, Sys>) systems.append(text(Sys::name));
+  });
+  row["systems"] = nb::tuple(systems);
   row["source"] = text(Method::source);
   return row;
 }

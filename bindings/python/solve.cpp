@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "arrays.hpp"
+#include "attendance.hpp"
 #include "described.hpp"
 #include "pendula/drive/fixed.hpp"
 
@@ -14,19 +15,6 @@ using namespace nb::literals;
 using pendula::fixed_output;
 
 namespace {
-
-// Python's signal handlers run here, and its progress is told; either ends the run by raising.
-struct attendance {
-  nb::object progress;
-
-  bool operator()(std::int64_t steps) const {
-    nb::gil_scoped_acquire held;
-    if (PyErr_CheckSignals() != 0) return false;
-    if (progress.is_none()) return true;
-    const auto answer = nb::steal(PyObject_CallFunction(progress.ptr(), "L", static_cast<long long>(steps)));
-    return answer.is_valid();
-  }
-};
 
 struct run_arguments {
   std::vector<double> state;
@@ -37,6 +25,7 @@ struct run_arguments {
 };
 
 template <class Method, class Sys>
+  requires pendula::StepsOver<Method, Sys>
 pendula::lane_result run(const Sys& system, const run_arguments& given, double* states) {
   typename Sys::state start;
   if (given.state.size() != Sys::dimension)
@@ -48,8 +37,8 @@ pendula::lane_result run(const Sys& system, const run_arguments& given, double* 
   return drive.through(given.outputs, sink, given.go_on)[0];
 }
 
-// (times, states, outcome, steps): times (n,) and states (n, d) hold room for every output, of which `outputs` were
-// reached.
+// (times, states, reached, outcome, steps, evaluations): times (n,) and states (n, d) hold room for every output, of
+// which `reached` were reached.
 auto solve_fixed(const description& d, const std::string& method, const std::vector<double>& state, double t0,
                  double step, std::int64_t step_limit, const array_in& times, bool own_steps, nb::object progress) {
   const attendance go_on{std::move(progress)};
@@ -59,21 +48,25 @@ auto solve_fixed(const description& d, const std::string& method, const std::vec
   std::ranges::copy(plan.times, t.data);
   pendula::lane_result result;
   with_system(d, [&](const auto& system) {
-    const bool found = pendula::with<pendula::methods>(method, [&]<class Method>() {
-      result = run<Method>(system, {state, step, step_limit, plan.outputs, go_on}, states.data);
+    const bool found = pendula::with<pendula::fixed_methods>(method, [&]<class Method>() {
+      if constexpr (Method::template takes<std::remove_cvref_t<decltype(system)>>) {
+        result = run<Method>(system, {state, step, step_limit, plan.outputs, go_on}, states.data);
+      } else {
+        throw nb::value_error("a method that does not take this system");
+      }
     });
     if (!found) throw nb::value_error("no such method in the catalogue");
   });
   if (result.ended == pendula::outcome::interrupted) throw nb::python_error();
-  return std::tuple(t.array, states.array, result.outputs, pendula::name_of(result.ended), result.steps);
+  return std::tuple(t.array, states.array, result.outputs, pendula::name_of(result.ended), result.steps,
+                    result.evaluations);
 }
 
 }  // namespace
 
 void bind_solve(nb::module_& m) {
-  m.def(
-      "solve_fixed", &solve_fixed, "description"_a, "method"_a, "state"_a, "t0"_a, "step"_a, "step_limit"_a, "times"_a,
-      "own_steps"_a, "progress"_a.none(),
-      "Times, states, how many of both were reached, how the run ended, and steps taken. `step` is negative for a run "
-      "backward; with own_steps the one time is the end.");
+  m.def("solve_fixed", &solve_fixed, "description"_a, "method"_a, "state"_a, "t0"_a, "step"_a, "step_limit"_a,
+        "times"_a, "own_steps"_a, "progress"_a.none(),
+        "Times, states, how many of both were reached, how the run ended, steps taken and evaluations. `step` is "
+        "negative for a run backward; with own_steps the one time is the end.");
 }

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "adaptive_bits.hpp"
 #include "pendula/catalog.hpp"
 #include "pendula/drive/fixed.hpp"
 #include "pendula/exact/elliptic.hpp"
@@ -67,14 +68,74 @@ std::uint64_t hash_of_catalogue() {
   hash all;
   for_each<systems>([&]<class Entry>() {
     for (std::size_t form = 0; form < Entry::forms.size(); ++form)
-      for_each<methods>([&]<class Method>() {
-        std::vector<std::vector<double>> numbers(trajectories);
-        for (int first = 0; first < trajectories; first += lanes<S>::count) run<Entry, Method, S>(form, first, numbers);
-        for (const auto& trajectory : numbers)
-          for (double x : trajectory) all.add(x);
+      for_each<fixed_methods>([&]<class Method>() {
+        if constexpr (takes<Method, Entry>) {
+          std::vector<std::vector<double>> numbers(trajectories);
+          for (int first = 0; first < trajectories; first += lanes<S>::count)
+            run<Entry, Method, S>(form, first, numbers);
+          for (const auto& trajectory : numbers)
+            for (double x : trajectory) all.add(x);
+        }
       });
   });
   return all.value;
+}
+
+// Ends of the adaptive methods' runs, through the lanes or one by one.
+template <class S>
+void adaptive_ends(hash& all) {
+  for_each<systems>([&]<class Entry>() {
+    using Sys = typename Entry::template over<double>;
+    for_each<adaptive_methods>([&]<class Method>() {
+      for (const double log2_of_tolerance : {-52.0, -23.5}) {
+        const auto place = [&](std::size_t n) {
+          const int i = static_cast<int>(n);
+          std::vector<double> p(Entry::forms[0].parameters.size());
+          for (std::size_t k = 0; k < p.size(); ++k) p[k] = parameter_of(i, k);
+          typename Method::template stepper<Sys> stepper(Entry::template make<double>(0, p.data()), log2_of_tolerance);
+          typename Sys::state start;
+          for (std::size_t k = 0; k < start.size(); ++k) start[k] = component_of(i, k);
+          stepper.start(start);
+          return stepper;
+        };
+        std::vector<std::vector<double>> numbers(trajectories);
+        if constexpr (lanes<S>::count > 1) {
+          ends_through_lanes<Method, Entry, S>(trajectories, 3.0, log2_of_tolerance, place, numbers);
+        } else {
+          for (std::size_t n = 0; n < trajectories; ++n) {
+            auto stepper = place(n);
+            run_alone(stepper, 3.0, {}, false, numbers[n]);
+          }
+        }
+        for (const auto& trajectory : numbers)
+          for (double x : trajectory) all.add(x);
+      }
+    });
+  });
+}
+
+// Outputs inside the steps, forward and backward, and events of all kinds.
+void outputs_and_events(hash& all) {
+  const event events[] = {{event_kind::angle, 0, 0.3},
+                          {event_kind::angle, 0, 3.141592653589793, 1.2246467991473532e-16, true, 1},
+                          {event_kind::velocity, 0},
+                          {event_kind::tip_height, 0, -0.4}};
+  std::vector<double> numbers;
+  for_each<systems>([&]<class Entry>() {
+    using Sys = typename Entry::template over<double>;
+    for_each<adaptive_methods>([&]<class Method>() {
+      for (const double end : {4.0, -4.0}) {
+        std::vector<double> p(Entry::forms[0].parameters.size());
+        for (std::size_t k = 0; k < p.size(); ++k) p[k] = parameter_of(1, k);
+        typename Method::template stepper<Sys> stepper(Entry::template make<double>(0, p.data()), -52.0);
+        typename Sys::state start;
+        for (std::size_t k = 0; k < start.size(); ++k) start[k] = component_of(1, k);
+        stepper.start(start);
+        run_alone(stepper, end, events, true, numbers);
+      }
+    });
+  });
+  for (double x : numbers) all.add(x);
 }
 
 // Regular motions, rotations and the neighbourhood of the separatrix, at small and large times.
@@ -128,6 +189,8 @@ std::uint64_t hash_of_all() {
   hash all{hash_of_catalogue<S>()};
   exact_motions<S>(all);
   single_numbers(all);
+  adaptive_ends<S>(all);
+  outputs_and_events(all);
   return all.value;
 }
 

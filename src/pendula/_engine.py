@@ -81,7 +81,7 @@ class Method:
     Attributes:
         name: what `solve` takes.
         order: of convergence.
-        evaluations_per_step: of the right-hand side.
+        evaluations_per_step: of the right-hand side; None: it iterates.
         adaptive: whether it takes a tolerance instead of a step.
         symplectic: whether a step preserves the symplectic form.
         systems: names of the systems it works for.
@@ -90,7 +90,7 @@ class Method:
 
     name: str
     order: int
-    evaluations_per_step: int
+    evaluations_per_step: int | None
     adaptive: bool
     symplectic: bool
     systems: tuple[str, ...]
@@ -122,8 +122,10 @@ def _parameter(row: dict[str, object]) -> Parameter:
 @cache
 def methods() -> tuple[Method, ...]:
     """The catalogue's methods, in its order."""
-    systems = tuple(system_entries())
-    return tuple(Method(**row, systems=systems) for row in _core.methods())
+    return tuple(
+        Method(**{**row, "evaluations_per_step": row["evaluations_per_step"] or None})
+        for row in _core.methods()
+    )
 
 
 def describe(system: str, form: str, parameters: tuple[float, ...]) -> Description:
@@ -165,6 +167,11 @@ def within_range_of_sine(states: Array) -> Array:
 LARGEST_ANGLE = _core.largest_angle  # the sine ends there [rad]
 constants = _core.constants
 solve_fixed = _core.solve_fixed
+solve_adaptive = _core.solve_adaptive
+DenseOutput = _core.DenseOutput
+trust_horizon = _core.trust_horizon
+long_run = _core.long_run
+long_run_digits = _core.long_run_digits
 exact_solutions = {"linear": _core.exact_linear, "simple": _core.exact_simple}
 time_at = {"linear": _core.linear_time_at, "simple": _core.simple_time_at}
 LARGEST_START_ANGLE = _core.largest_start_angle  # of a closed form [rad]

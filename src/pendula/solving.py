@@ -3,30 +3,38 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from pendula import _engine
-from pendula._checks import (
-    finite_array,
-    finite_number,
-    one_of,
-    positive_number,
-    states_array,
-    whole_number,
+from pendula._arguments import (
+    BEST_TOLERANCE,
+    MOST_STEPS,
+    checked_method,
+    checked_state,
+    checked_tolerance,
+    output_times,
+    step_size,
 )
+from pendula._checks import finite_number, positive_number, whole_number
+from pendula.events import checked_events, crossings_of
 from pendula.systems import System, check_system
-from pendula.trajectory import Request, Trajectory
+from pendula.trajectory import Request, Trajectory, run_adaptive
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Iterable
 
     import numpy as np
     from numpy.typing import ArrayLike, NDArray
 
-    Array = NDArray[np.float64]
+    from pendula.events import Event
 
-MOST_STEPS = 2**53  # whole numbers are exact in a double up to here
+    Array = NDArray[np.float64]
+    Progress = Callable[[float], None] | None
+
 MOST_OUTPUTS = 10**8  # of a run's own steps: 3 to 4 GB of states
+MOST_DIGITS = 15  # that a double holds
+_PLAIN_SHARE = 0.02  # of the work of a certified run: the run itself
 
 
 def methods() -> tuple[_engine.Method, ...]:
@@ -38,12 +46,16 @@ def solve(
     system: System,
     state: ArrayLike,
     t: ArrayLike,
-    method: str,
+    method: str = "taylor",
     *,
     t0: float = 0.0,
     step: float | None = None,
+    tolerance: float | None = None,
     max_steps: int | None = None,
-    progress: Callable[[float], None] | None = None,
+    events: Event | Iterable[Event] = (),
+    certify: float | None = None,
+    digits: int | None = None,
+    progress: Progress = None,
 ) -> Trajectory:
     """The motion step by step.
 
@@ -51,12 +63,21 @@ def solve(
         system: a pendulum.
         state: (θ, ω) or (θ1, θ2, ω1, ω2) at time t0, (d,) [rad, rad/s].
         t: one end time: the output is the method's own steps; or output times, rising from t0 or
-            falling (backward), (n,) [s]. Times on the grid t0 + n·step are hit without shortening a
-            step; others by one shortened step from the grid.
+            falling (backward), (n,) [s]. An adaptive method takes no step for them. With a fixed
+            step, times on the grid t0 + n·step are hit without shortening a step; others by one
+            shortened step from the grid.
         method: a name that `methods()` lists.
         t0: time of the state [s].
         step: of a fixed-step method, positive [s].
-        max_steps: most steps allowed; a run that needs more ends as "step_limit".
+        tolerance: of an adaptive method: of the error of a step, in radians or, where less, parts
+            of the swing; 1e-3 down to 2^-52. None: its best.
+        max_steps: most steps allowed; a run that needs more ends as "step_limit". None: no limit,
+            but 10^7 where the output is an adaptive method's own steps.
+        events: what to look for inside the steps of an adaptive method: `pendula.events`.
+        certify: also find the first time at which an angle is off by more than this [rad], up to
+            1, beside a run with twice the digits: the trajectory's `trust_horizon`.
+        digits: 1 to 15: compute with as many digits as it takes for these many to be right at
+            every output time, however chaotic the motion; only with the Taylor method.
         progress: told the part of a long run that is done, 0 to 1, every few milliseconds.
 
     Returns:
@@ -66,26 +87,46 @@ def solve(
         ValueError: for an unknown method, or an argument out of range.
     """
     check_system(system)
-    one_of("method", method, (each.name for each in methods()))
-    start = states_array(state, system.components)
-    if start.ndim != 1:
-        raise ValueError(
-            f"state must be one state of shape ({start.shape[-1]},), got {start.shape}"
-        )
+    chosen = checked_method(method, system)
+    start = checked_state(state, system)
     origin = finite_number("t0", t0, "s")
-    times, own_steps = _output_times(t, origin)
-    size = _step_size(method, step, origin, float(times[-1]))
-    limit = None if max_steps is None else whole_number("max_steps", max_steps, MOST_STEPS)
-    asked = Request(start, float(times[0]) if own_steps else times, origin, size, limit)
-    return _solve_fixed(system, method, times, asked, progress)
+    times, own_steps = output_times(t, origin)
+    end = float(times[-1])
+    asked = Request(
+        start,
+        float(times[0]) if own_steps else times,
+        origin,
+        None if chosen.adaptive else step_size(chosen.name, step, origin, end),
+        None if max_steps is None else whole_number("max_steps", max_steps, MOST_STEPS),
+        checked_tolerance(tolerance) if chosen.adaptive and digits is None else None,
+        checked_events(events, system),
+        None if certify is None else _certified(certify),
+        None if digits is None else whole_number("digits", digits, MOST_DIGITS),
+    )
+    _check_together(chosen, asked, step=step, tolerance=tolerance)
+    if asked.digits is not None:
+        return _solve_digits(system, asked, times, progress)
+    return _solve(system, chosen, times, asked, progress)
+
+
+def _solve(
+    system: System, method: _engine.Method, times: Array, asked: Request, progress: Progress
+) -> Trajectory:
+    """Run a checked request, and certify it if asked for."""
+    run = _solve_adaptive if method.adaptive else _solve_fixed
+    if asked.certify is None:
+        return run(system, method, times, asked, progress)
+    done = run(system, method, times, asked, _part(progress, 0.0, _PLAIN_SHARE))
+    return replace(done, trust_horizon=_horizon(done, _part(progress, _PLAIN_SHARE, 1.0)))
+
+
+def _part(progress: Progress, start: float, end: float) -> Progress:
+    """Progress of a part of the work, told as that of the whole."""
+    return progress and (lambda share: progress(start + (end - start) * share))
 
 
 def _solve_fixed(
-    system: System,
-    method: str,
-    times: Array,
-    asked: Request,
-    progress: Callable[[float], None] | None,
+    system: System, method: _engine.Method, times: Array, asked: Request, progress: Progress
 ) -> Trajectory:
     """Run a checked request on the grid of its step."""
     size, span = asked.step or 0.0, float(times[-1]) - asked.t0
@@ -96,9 +137,9 @@ def _solve_fixed(
             f"step = {size!r} s makes {whole:.3g} outputs up to t = {float(times[0]):g} s; "
             "give output times, such as t=numpy.linspace(t0, t_end, 1001), or a larger step"
         )
-    t, states, reached, outcome, steps = _engine.solve_fixed(
+    t, states, reached, outcome, steps, evaluations = _engine.solve_fixed(
         system._description(),
-        method,
+        method.name,
         asked.state.tolist(),
         asked.t0,
         math.copysign(size, span),
@@ -107,57 +148,115 @@ def _solve_fixed(
         own_steps,
         None if progress is None else lambda steps: progress(steps / whole),
     )
-    evaluations = {each.name: each.evaluations_per_step for each in methods()}[method]
+    counts = outcome, steps, evaluations
+    return Trajectory(system, method.name, t[:reached], states[:reached], asked, *counts)
+
+
+def _solve_adaptive(
+    system: System, method: _engine.Method, times: Array, asked: Request, progress: Progress
+) -> Trajectory:
+    """Run a checked request with steps of the method's choice."""
+    t, states, outcome, steps, evaluations, crossings, dense = run_adaptive(
+        system, method.name, asked, progress
+    )
+    counts = outcome, steps, evaluations
     return Trajectory(
-        system, method, t[:reached], states[:reached], asked, outcome, steps, steps * evaluations
+        system,
+        method.name,
+        t,
+        states,
+        asked,
+        *counts,
+        events=crossings_of(crossings),
+        dense=dense,
     )
 
 
-def _output_times(t: ArrayLike, t0: float) -> tuple[Array, bool]:
-    """The times (n,), and whether the one of them is the end of a run's own steps."""
+def _solve_digits(system: System, asked: Request, times: Array, progress: Progress) -> Trajectory:
+    """States right to so many digits; those of one end time at the steps of a plain run."""
     import numpy as np
 
-    times = finite_array("t", t, "s")
-    if times.ndim == 0:
-        if float(times) == t0:
-            raise ValueError(f"t must differ from t0 = {t0!r} s, got {float(times)!r}")
-        return times.reshape(1), True
-    if times.ndim != 1 or times.size == 0:
-        raise ValueError(
-            f"t must be one end time or output times of shape (n,), got shape {times.shape}"
-        )
-    direction = np.sign(float(times[-1]) - t0)
-    gaps = np.diff(times)
-    if (gaps * direction <= 0).any() or (float(times[0]) - t0) * direction < 0:
-        raise ValueError(
-            f"t must rise (or fall) strictly from t0 = {t0!r} s or later, got {_shortened(times)}"
-        )
-    return times, False
+    from pendula.trust import digits_states
+
+    assert asked.digits is not None
+    outcome = "reached_end"
+    if isinstance(asked.t, float):
+        plain = replace(asked, digits=None, tolerance=BEST_TOLERANCE)
+        times, _, outcome, *_ = run_adaptive(system, "taylor", plain, None)
+    at_start = times[0] == asked.t0
+    late = times[1:] if at_start else times
+    states, precision = np.empty((0, asked.state.size)), 0
+    if late.size:
+        told = system, asked.state, late, asked.t0, asked.digits
+        states, precision = digits_states(*told, progress=progress)
+    if at_start:
+        states = np.concatenate([asked.state[np.newaxis], states])
+    return Trajectory(system, "taylor", times, states, asked, outcome, precision=precision)
 
 
-def _shortened(times: Array) -> str:
-    shown = ", ".join(f"{value:g}" for value in times[:4])
-    return f"[{shown}{', …' if times.size > 4 else ''}]"
+def _horizon(run: Trajectory, progress: Progress) -> float:
+    """When a run parts from the motion by more than asked for."""
+    from pendula.trust import horizon
+
+    asked = run.request
+    assert asked.certify is not None
+    if not run.t.size or run.t[-1] == asked.t0:
+        return math.inf
+    return horizon(
+        run.system,
+        asked.state,
+        run.method,
+        asked.t0,
+        float(run.t[-1]),
+        step=asked.step,
+        tolerance=asked.tolerance,
+        certify=asked.certify,
+        progress=progress,
+    )
 
 
-def _step_size(method: str, step: float | None, t0: float, end: float) -> float:
-    span = end - t0
-    if step is None:
+def _certified(certify: float) -> float:
+    allowed = positive_number("certify", certify, "rad")
+    if allowed > 1.0:
         raise ValueError(
-            f"step is needed by the fixed-step method {method!r}; give step=0.001 [s], say"
+            f"certify must be an angle of at most 1 rad, got {allowed!r}: beyond it two motions "
+            "have nothing to do with one another"
         )
-    size = positive_number("step", step, "s")
-    if span != 0.0 and size > abs(span):
+    return allowed
+
+
+def _check_together(
+    method: _engine.Method, asked: Request, *, step: float | None, tolerance: float | None
+) -> None:
+    """Refuse arguments that do not go with one another."""
+    if method.adaptive and step is not None:
         raise ValueError(
-            f"step must not exceed the span of {abs(span)!r} s from t0 to the end, got {size!r} s"
+            f"step is not taken by the adaptive method {method.name!r}, got {step!r}; "
+            "leave it out, or name a tolerance"
         )
-    if abs(span) / size > MOST_STEPS:
+    if not method.adaptive and tolerance is not None:
         raise ValueError(
-            f"step = {size!r} s is too small for a span of {abs(span)!r} s: over 2^53 steps"
+            f"tolerance is not taken by the fixed-step method {method.name!r}, got {tolerance!r}; "
+            "choose the step, or an adaptive method such as 'taylor'"
         )
-    if t0 + size == t0 or end - math.copysign(size, span) == end:
+    if not method.adaptive and asked.events:
         raise ValueError(
-            f"step = {size!r} s is below the rounding of times near {max(abs(t0), abs(end))!r} s; "
-            "let t0 be 0, or take a larger step"
+            f"events are not taken by the fixed-step method {method.name!r}, which does not know "
+            "the motion inside its steps; "
+            f"take {' or '.join(each.name for each in methods() if each.adaptive)}"
         )
-    return size
+    if asked.digits is None:
+        return
+    others = {
+        f"the method {method.name!r}": method.name != "taylor",
+        "a tolerance": tolerance is not None,
+        "events": bool(asked.events),
+        "certify": asked.certify is not None,
+        "max_steps": asked.max_steps is not None,
+    }
+    for name, given in others.items():
+        if given:
+            raise ValueError(
+                f"digits is not taken together with {name}: it chooses method and precision by "
+                "itself; leave one of the two out"
+            )

@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any
 
 from pendula import _engine
+from pendula._arguments import MOST_OWN_STEPS, MOST_STEPS, log2_of
 from pendula._checks import check_finite, finite_array
 from pendula.systems import LinearPendulum, SimplePendulum
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
     from os import PathLike
 
     import numpy as np
@@ -19,6 +21,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
     from numpy.typing import ArrayLike, NDArray
 
+    from pendula.events import Crossings, Event
     from pendula.systems import System
 
     Array = NDArray[np.float64]
@@ -34,6 +37,10 @@ class Request:
         t: the one end time, where the output is the method's own steps, or output times, (n,) [s].
         step: of a fixed-step method [s].
         max_steps: most steps allowed; None: no limit.
+        tolerance: of an adaptive method.
+        events: looked for inside the steps.
+        certify: angle by which the run may be off up to its trust horizon [rad].
+        digits: that are right at every output time.
     """
 
     state: Array
@@ -41,6 +48,10 @@ class Request:
     t0: float = 0.0
     step: float | None = None
     max_steps: int | None = None
+    tolerance: float | None = None
+    events: tuple[Event, ...] = ()
+    certify: float | None = None
+    digits: int | None = None
 
 
 @dataclass(frozen=True, eq=False)
@@ -54,12 +65,14 @@ class Trajectory:
         states: (n, d), or (..., n, d) for exact solutions from (..., d): (θ, ω) or (θ1, θ2, ω1,
             ω2), in radians and radians per second.
         request: what was asked for.
-        outcome: how the run ended: "reached_end", "step_limit" or "not_finite"; the output holds
-            what was reached before.
+        outcome: how the run ended: "reached_end", "event", "step_limit" or "not_finite"; the output
+            holds what was reached before.
         n_steps: steps taken, shortened ones included.
-        n_evaluations: of the right-hand side.
-        trust_horizon: first time at which the run is off by more than the tolerance asked for [s];
-            None: not asked.
+        n_evaluations: of the right-hand side; of the series, with the Taylor method.
+        events: times and states of each event asked for, in that order.
+        trust_horizon: first time at which an angle of the run is off by more than `certify` [s];
+            inf: not within the run; None: not asked.
+        precision: decimal digits that a run with `digits` was computed with; None: a double's.
     """
 
     system: System
@@ -70,7 +83,10 @@ class Trajectory:
     outcome: str = "reached_end"
     n_steps: int = 0
     n_evaluations: int = 0
+    events: tuple[Crossings, ...] = ()
     trust_horizon: float | None = None
+    precision: int | None = None
+    dense: _engine.DenseOutput | None = field(default=None, repr=False)
 
     @property
     def theta(self) -> Array:
@@ -112,19 +128,54 @@ class Trajectory:
         return self.system.positions(self.states)
 
     def at(self, t: ArrayLike) -> Array:
-        """States (n, d) at any times (n,), where the method has a dense output [rad, rad/s].
+        """States (n, d) at any times (n,) of the run, in any order [rad, rad/s].
+
+        The closed form takes any time; the methods with dense output (`methods()`: the adaptive
+        ones) give what the run itself would have given as output at these times.
 
         Raises:
-            ValueError: for a method without one.
+            ValueError: for a method without dense output, or a time outside the run.
         """
-        if self.method != "exact":
-            raise ValueError(
-                f"at needs a method with dense output, got {self.method!r}; "
-                "ask solve for these times: solve(system, state, t, method, step=...)"
-            )
         times = finite_array("t", t, "s")
-        states = exact_states(self.system, self.request.state, times.ravel(), self.request.t0)
+        if self.method == "exact":
+            states = exact_states(self.system, self.request.state, times.ravel(), self.request.t0)
+        else:
+            states = self._inside_steps(times.ravel())
         return states.reshape((*self.request.state.shape[:-1], *times.shape, states.shape[-1]))
+
+    def _inside_steps(self, times: Array) -> Array:
+        """The dense output at times (n,) in any order."""
+        import numpy as np
+
+        asked = self.request
+        if asked.tolerance is None:
+            raise ValueError(
+                f"at needs a method with dense output, got {self._told()}; "
+                "ask solve for these times: solve(system, state, t, ...)"
+            )
+        last = float(self.t[-1]) if self.t.size else asked.t0
+        direction = -1.0 if last < asked.t0 else 1.0
+        beyond = ((times - asked.t0) * direction < 0) | ((times - last) * direction > 0)
+        if beyond.any():
+            raise ValueError(
+                f"t must lie within the run, from {asked.t0!r} to {last!r} s, "
+                f"got {float(times[beyond.argmax()])!r}"
+            )
+        dense = self.dense
+        if dense is None:  # read from a file
+            dense = run_adaptive(self.system, self.method, asked, None)[-1]
+            object.__setattr__(self, "dense", dense)
+        order = np.argsort(direction * times, kind="stable")
+        states = np.empty((times.size, asked.state.size))
+        states[order] = dense.at(np.ascontiguousarray(times[order]))
+        return states
+
+    def _told(self) -> str:
+        return repr(self.method) if self.request.digits is None else "a run with digits"
+
+    def __getstate__(self) -> dict[str, Any]:
+        """Without what can be made again."""
+        return {**self.__dict__, "dense": None}
 
     def to_xarray(self) -> xr.Dataset:
         """A labelled dataset with units, energies, and the recipe in its attributes (extra: io)."""
@@ -166,6 +217,33 @@ class Trajectory:
         count = self.states.shape[-1] // 2
         part = self.states[..., which * count : (which + 1) * count]
         return part[..., 0] if count == 1 else part
+
+
+def run_adaptive(
+    system: System, method: str, asked: Request, progress: Callable[[float], None] | None
+) -> tuple[Any, ...]:
+    """What the core gives for a checked request.
+
+    Times, states, how the run ended, steps, evaluations, (times, states) of each event, and the
+    dense output.
+    """
+    import numpy as np
+
+    own_steps = isinstance(asked.t, float)
+    end = asked.t if isinstance(asked.t, float) else float(asked.t[-1])
+    span = end - asked.t0
+    return _engine.solve_adaptive(
+        system._description(),
+        method,
+        asked.state.tolist(),
+        asked.t0,
+        end,
+        log2_of(asked.tolerance or 1.0),
+        asked.max_steps or (MOST_OWN_STEPS if own_steps else MOST_STEPS),
+        None if own_steps else np.asarray(asked.t),
+        [each.row() for each in asked.events],
+        None if progress is None else lambda t: progress((t - asked.t0) / span),
+    )
 
 
 def exact_states(system: System, state: Array, t: Array, t0: float) -> Array:

@@ -6,12 +6,14 @@
 
 namespace pendula {
 
-enum class outcome : std::uint8_t { reached_end, step_limit, not_finite, interrupted };
+enum class outcome : std::uint8_t { reached_end, event, step_limit, not_finite, interrupted };
 
 constexpr std::string_view name_of(outcome o) {
   switch (o) {
     case outcome::reached_end:
       return "reached_end";
+    case outcome::event:
+      return "event";
     case outcome::step_limit:
       return "step_limit";
     case outcome::not_finite:

@@ -58,6 +58,31 @@ PENDULA_INLINE void store_pairs(pack<double, W> first, pack<double, W> second, d
   }
 }
 
+// The lanes in another order, or some of them more than once.
+template <int... from>
+PENDULA_INLINE pack<double, sizeof...(from)> rearranged(pack<double, sizeof...(from)> x) {
+  constexpr int width = sizeof...(from);
+  pack<double, width> result;
+  if constexpr (width > lanes_of_machine) {
+    int to = 0;
+    (result.set(to++, x[from]), ...);
+  } else {
+    result.v = __builtin_shuffle(x.v, typename pack<double, width>::integers{from...});
+  }
+  return result;
+}
+template <class... Numbers>
+PENDULA_INLINE pack<double, sizeof...(Numbers)> lanes_of(Numbers... numbers) {
+  pack<double, sizeof...(Numbers)> result;
+  if constexpr (sizeof...(Numbers) > lanes_of_machine) {
+    int to = 0;
+    (result.set(to++, numbers), ...);
+  } else {
+    result.v = decltype(result.v){numbers...};
+  }
+  return result;
+}
+
 PENDULA_INLINE double square_root(double x) { return std::sqrt(x); }
 template <int W>
 PENDULA_INLINE pack<double, W> square_root(pack<double, W> x) {

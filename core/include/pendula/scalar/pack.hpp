@@ -5,6 +5,7 @@
 #include <bit>
 #include <cstdint>
 #include <limits>
+#include <type_traits>
 
 #include "pendula/concepts.hpp"
 
@@ -118,6 +119,14 @@ struct lanes<pack<T, W>> {
   static constexpr int count = W;
 };
 
+// Numbers that the processor computes with, as opposed to those made of several.
+template <class S>
+inline constexpr bool is_machine_number = false;
+template <>
+inline constexpr bool is_machine_number<double> = true;
+template <class T, int W>
+inline constexpr bool is_machine_number<pack<T, W>> = true;
+
 PENDULA_INLINE double lane(double x, int) { return x; }
 template <class T, int W>
 PENDULA_INLINE T lane(const pack<T, W>& x, int i) {
@@ -128,6 +137,16 @@ PENDULA_INLINE void set_lane(double& x, int, double value) { x = value; }
 template <class T, int W>
 PENDULA_INLINE void set_lane(pack<T, W>& x, int i, T value) {
   x.set(i, value);
+}
+
+// A lane of all numbers in a struct of nothing but S, from the same struct of plain numbers.
+template <class Lanes, class Numbers>
+void set_lanes(Lanes& to, int i, const Numbers& from) {
+  constexpr std::size_t count = sizeof(Numbers) / sizeof(double), width = sizeof(Lanes) / sizeof(Numbers);
+  static_assert(sizeof(Lanes) == width * sizeof(Numbers) && std::is_trivially_copyable_v<Lanes>);
+  const double* const numbers = reinterpret_cast<const double*>(&from);
+  double* const lanes = reinterpret_cast<double*>(&to);
+  for (std::size_t n = 0; n < count; ++n) lanes[n * width + i] = numbers[n];
 }
 
 PENDULA_INLINE bool equal(double a, double b) { return a == b; }

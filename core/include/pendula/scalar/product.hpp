@@ -43,12 +43,17 @@ PENDULA_INLINE head_and_tail<S> two_product(S a, S b) {
   }
 }
 
-// a b − c d to a rounding or two, however much cancels (Kahan; Jeannerod, Louvet & Muller 2013).
+// a b − c d to a rounding or two, however much cancels (Kahan; Jeannerod, Louvet & Muller 2013); numbers of more digits
+// have some to lose.
 template <class S>
 PENDULA_INLINE S difference_of_products(S a, S b, S c, S d) {
-  const auto [p, p_error] = two_product(a, b);
-  const auto [q, q_error] = two_product(c, d);
-  return (p - q) + (p_error - q_error);
+  if constexpr (!is_machine_number<S>) {
+    return a * b - c * d;
+  } else {
+    const auto [p, p_error] = two_product(a, b);
+    const auto [q, q_error] = two_product(c, d);
+    return (p - q) + (p_error - q_error);
+  }
 }
 
 }  // namespace pendula

@@ -53,8 +53,21 @@ PENDULA_INLINE sine_cosine<S> sincos_polynomials(S x) {
   return {x + sine, S(1.0) - (S(0.5) * z - cosine)};
 }
 
+// The functions of numbers that are made of several: specialised where those are defined.
 template <class S>
-PENDULA_INLINE sine_cosine<S> sincos(S x) {
+struct elementary;
+
+template <class S>
+PENDULA_INLINE sine_cosine<S> sincos(S x)
+  requires(!is_machine_number<S>)
+{
+  return elementary<S>::sincos(x);
+}
+
+template <class S>
+PENDULA_INLINE sine_cosine<S> sincos(S x)
+  requires is_machine_number<S>
+{
   const auto r = reduce_by_half_pi(x);
   const auto [s, c] = sincos_polynomials(r.angle);
   // odd quadrants exchange sine and cosine: through their difference in bits, without a branch

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "pendula/scalar/choose.hpp"
+#include "pendula/scalar/rough_powers.hpp"
 #include "pendula/scalar/wide.hpp"
 
 namespace pendula {
@@ -138,5 +139,21 @@ PENDULA_INLINE wide_sine_cosine<S> wide_sincos(S x) {
   return {sum_with_smaller(sine, sum_with_smaller(cosine * s, sine * c)),
           sum_with_smaller(cosine, sum_with_smaller(-(sine * s), cosine * c))};
 }
+
+// Of a wide angle of any size that the tail still belongs to: whole turns come off first.
+template <class R>
+struct elementary<wide<R>> {
+  static R rough(wide<R> x) { return x.hi; }
+  static R rough_log2(wide<R> x) { return pendula::rough_log2(x.hi); }
+  static sine_cosine<wide<R>> sincos(wide<R> x) {
+    const R turns = nearest_whole(x.hi * R(0x1.45f306dc9c883p-3));  // 1/2π
+    // 2π in parts of 27, 27 and 53 bits and the rest: whole multiples below 2^26 of the first two are exact
+    wide<R> angle = x + wide<R>(turns * R(-0x1.921fb54p+2)) + wide<R>(turns * R(-0x1.10b4610p-28));
+    angle = angle + wide<R>(two_product(turns, R(-0x1.a62633145c06ep-56))) + wide<R>(turns * R(-0x1.cd129024e088ap-113));
+    const auto [s, c] = wide_sincos(angle.hi);
+    const wide<R> rest(angle.lo), below = scaled(square(rest), R(0.5));  // the next power is below 2^-150
+    return {s + (c * rest - s * below), c - (s * rest + c * below)};
+  }
+};
 
 }  // namespace pendula

@@ -1,0 +1,115 @@
+// The drive of methods that choose their steps and know the motion inside them: outputs and events cost no step.
+#pragma once
+
+#include <cmath>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "pendula/drive/events.hpp"
+#include "pendula/drive/outcome.hpp"
+#include "pendula/scalar/compensated.hpp"
+#include "pendula/scalar/rough_powers.hpp"
+
+namespace pendula {
+
+struct adaptive_result {
+  outcome ended = outcome::reached_end;
+  std::int64_t steps = 0, evaluations = 0;
+};
+
+// A run of a stepper of one trajectory, which stands at its start, from t0 to `end`.
+template <class Stepper>
+class adaptive_run {
+ public:
+  using S = typename Stepper::S;
+  using state = typename Stepper::state;
+  using point_in_time = compensated_point<vec<S, 1>>;
+
+  adaptive_run(Stepper& stepper, double t0, double end, std::span<const event> events = {})
+      : adaptive_run(stepper, {{S(t0)}, {S(0.0)}}, end, end < t0 ? -1.0 : 1.0) {
+    for (const event& each : events) trackers_.emplace_back(each, static_cast<int>(trackers_.size()));
+    counts_.resize(trackers_.size());
+  }
+  // A run that is taken up where a step of another one began.
+  adaptive_run(Stepper& stepper, const point_in_time& from, double end, double direction)
+      : stepper_(stepper), time_(from), end_(end), direction_(direction) {}
+
+  // Steps on to the end. The consumer is told of the events in each step, in their order, by
+  // event(run, place in the list, tau), and of the step by step(run, stop), while the stepper still stands at its
+  // start: all of the motion up to `stop` after it is right. It answers whether to go on, as go_on(time, steps) does,
+  // which is asked every few milliseconds.
+  template <class Consumer, class Poll>
+  adaptive_result to_end(std::int64_t step_limit, Consumer&& consumer, Poll&& go_on) {
+    adaptive_result result;
+    for (;;) {
+      if (result.steps == step_limit) return ended(result, outcome::step_limit);
+      stepper_.expand(direction_);
+      const auto next = stepper_.after(stepper_.length());
+      if (!all_finite(next.head)) return ended(result, outcome::not_finite);
+      ++result.steps;
+      const S left = since_step(end_);
+      const bool last = !(direction_ * rough(stepper_.length()) < direction_ * rough(left));
+      S stop = last ? left : S(stepper_.length());
+      bool terminated = false;
+      if constexpr (std::same_as<S, double>) terminated = !trackers_.empty() && tell_events(stop, consumer);
+      const bool enough = !consumer.step(*this, stop);
+      if (terminated) return ended(result, outcome::event);
+      if (last) return ended(result, outcome::reached_end);
+      if (enough) return ended(result, outcome::interrupted);
+      stepper_.proceed(next);
+      time_ = time_.moved_by({S(stepper_.length())});
+      if (result.steps % between_polls == 0 && !go_on(rough(time_.head[0]), result.steps))
+        return ended(result, outcome::interrupted);
+    }
+  }
+
+  const Stepper& stepper() const { return stepper_; }
+  double direction() const { return direction_; }
+  double end() const { return end_; }
+  // The start of the step, and how far after it a time is.
+  const point_in_time& time() const { return time_; }
+  S since_step(double t) const { return (S(t) - time_.head[0]) - time_.tail[0]; }
+  double time_after(S tau) const { return rough(time_.moved_by({tau}).head[0]); }
+
+ private:
+  static constexpr std::int64_t between_polls = is_machine_number<S> ? 2048 : 1;
+
+  adaptive_result ended(adaptive_result result, outcome how) const {
+    result.ended = how;
+    result.evaluations = stepper_.evaluations();
+    return result;
+  }
+
+  static bool all_finite(const state& y) {
+    double sum = 0.0;
+    for (const S& component : y) sum += rough(component);
+    return sum - sum == 0.0;
+  }
+
+  // True where one ends the run, at the time `stop` then is.
+  template <class Consumer>
+  bool tell_events(double& stop, Consumer& consumer) {
+    found_.clear();
+    for (event_tracker& each : trackers_) each.find(stepper_, stop / stepper_.length(), found_);
+    std::stable_sort(found_.begin(), found_.end(), [this](const crossing& a, const crossing& b) {
+      return a.tau * direction_ < b.tau * direction_;
+    });
+    for (const crossing& each : found_) {
+      consumer.event(*this, each.event, each.tau);
+      if (++counts_[each.event] != trackers_[each.event].what().at_most) continue;
+      stop = each.tau;
+      return true;
+    }
+    return false;
+  }
+
+  Stepper& stepper_;
+  point_in_time time_;
+  double end_, direction_;
+  std::vector<event_tracker> trackers_;
+  std::vector<std::int64_t> counts_;
+  std::vector<crossing> found_;
+};
+
+}  // namespace pendula

@@ -1,0 +1,41 @@
+// The motion worked out with twice a double's digits, beside a run with doubles: built for several machines into one
+// program, which takes the best that its processor has. All give the same bits.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <string_view>
+
+// Not in `pendula`, which is another name for each machine (core/src/shadow_kernels.cpp).
+namespace pendula_kernels {
+
+struct two_doubles {  // an unevaluated sum
+  double head, tail;
+};
+
+// It stands in a step of its own, which begins at or before the times it is asked about.
+class shadow {
+ public:
+  virtual ~shadow() = default;
+  virtual void proceed() = 0;  // to the next step
+  virtual two_doubles step_end() const = 0;
+  // One or two angles at a time within the step.
+  virtual void angles(two_doubles time, two_doubles* to) const = 0;
+};
+
+struct shadow_request {
+  std::string_view system;  // of the catalogue, with its form and parameters
+  std::size_t form;
+  const double *parameters, *state;
+  double t0, direction;  // 1 forward in time, −1 backward
+};
+
+struct shadow_maker {
+  const char* machine;
+  std::unique_ptr<shadow> (*make)(const shadow_request&);
+};
+
+// For this processor.
+const shadow_maker& best_shadow_maker();
+
+}  // namespace pendula_kernels

@@ -1,0 +1,82 @@
+// How long a run with doubles is right: the time at which an angle first is off by more than a tolerance, found beside
+// a shadow, the same motion by the Taylor method with twice the digits. The shadow need not be right for longer than
+// the run is: chaos makes the errors of both grow by the same factor, and where it has carried the run's, 2^-53 or more
+// at the start, to a radian, it has carried the shadow's, 2^-104, to 2^-51 of a radian.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <concepts>
+#include <limits>
+
+#include "pendula/drive/shadow_kernels.hpp"
+#include "pendula/scalar/wide.hpp"
+
+namespace pendula {
+
+class parting {
+ public:
+  parting(pendula_kernels::shadow& beside, double tolerance, double direction)
+      : beside_(beside), tolerance_(tolerance), direction_(direction) {}
+
+  // Of states that follow one another in time: whether this one is still right.
+  template <class State>
+  bool right(wide<double> time, const State& y) {
+    while (ahead(time) > 0.0) beside_.proceed();
+    return close(time, y);
+  }
+
+  // For a step of a run that knows the motion inside it, from the step's start, where it still is right, up to `stop`
+  // after it: how far it is right. Its angles and the shadow's are compared at several times on each piece where both
+  // are polynomials.
+  template <class Run>
+  double right_in_step(const Run& run, double stop) {
+    const wide<double> start(run.time().head[0], run.time().tail[0]);
+    const auto is_right = [&](double tau) { return close(start + wide<double>(tau), run.stepper().after(tau).head); };
+    for (double from = 0.0;;) {
+      const double reach = -ahead_of(start), end = direction_ * std::min(direction_ * reach, direction_ * stop);
+      for (int i = 1; i <= looks; ++i) {
+        const double tau = i == looks ? end : from + (end - from) * i / looks;
+        if (!is_right(tau)) return last_right(from + (end - from) * (i - 1) / looks, tau, is_right);
+      }
+      if (end == stop) return stop;
+      beside_.proceed();
+      from = end;
+    }
+  }
+
+ private:
+  static constexpr int looks = 8, halvings = 40;
+
+  // How far a time is beyond the end of the shadow's step.
+  double ahead_of(wide<double> time) const {
+    const auto [head, tail] = beside_.step_end();
+    return rounded(time - wide<double>(head, tail));
+  }
+  double ahead(wide<double> time) const { return direction_ * ahead_of(time); }
+
+  template <class State>
+  bool close(wide<double> time, const State& y) const {
+    pendula_kernels::two_doubles angles[2];
+    beside_.angles({time.hi, time.lo}, angles);
+    for (std::size_t i = 0; i < y.size() / 2; ++i) {
+      const double apart = std::fabs((y[i] - angles[i].head) - angles[i].tail);
+      if (!(apart <= tolerance_)) return false;
+    }
+    return true;
+  }
+
+  template <class Right>
+  static double last_right(double right, double wrong, Right&& is_right) {
+    for (int i = 0; i < halvings; ++i) {
+      const double middle = 0.5 * (right + wrong);
+      (is_right(middle) ? right : wrong) = middle;
+    }
+    return right;
+  }
+
+  pendula_kernels::shadow& beside_;
+  double tolerance_, direction_;
+};
+
+}  // namespace pendula

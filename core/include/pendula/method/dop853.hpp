@@ -1,0 +1,271 @@
+// DOP853: a Runge–Kutta step of order 8 that estimates its error and is made again, shorter, where that is too large,
+// and a polynomial of degree 7 through it (Hairer, Nørsett & Wanner 1993, Solving Ordinary Differential Equations I,
+// II.4 to II.6, II.10, and their dop853.f).
+#pragma once
+
+#include <limits>
+
+#include "pendula/method/dop853_step.hpp"
+#include "pendula/scalar/compensated.hpp"
+#include "pendula/scalar/polynomial_roots.hpp"
+#include "pendula/scalar/rough_powers.hpp"
+
+namespace pendula {
+
+template <SystemOver Sys>
+class dop853_stepper {
+ public:
+  using S = typename Sys::scalar;
+  using state = typename Sys::state;
+  using point = compensated_point<state>;
+  static_assert(is_machine_number<S>, "the coefficients are known to as many digits as a double has");
+
+  dop853_stepper(const Sys& system, double log2_of_tolerance)
+      : system_(system),
+        tolerance_(rough_exp2(log2_of_tolerance)),
+        frequency_(square_root(system.largest_frequency_squared())) {
+    const S period = S(6.283185307179586) / frequency_;
+    shortest_ = S(0x1p-40) * period;
+    longest_ = period;  // also at rest, where no error limits it
+  }
+
+  // Places the motion at a state (θ…, ω…). Errors are in parts of a radian, or of the amplitude of a small swing, and
+  // of the angle where it is larger; those of velocities alike, with the largest frequency.
+  void start(const state& y) {
+    now_.at.head = y;
+    now_.at.tail.fill(S(0.0));
+    now_.slope = system_.rhs(y);
+    now_.step = S(0.0);
+    const S energy = system_.kinetic_energy(y) + system_.potential_energy(y);
+    const S amplitude_squared = (energy + energy) / system_.energy_scale();
+    const auto small = both(less(S(0.0), amplitude_squared), less(amplitude_squared, S(1.0)));
+    now_.size = choose(small, square_root(amplitude_squared), S(1.0));
+    evaluations_ = evaluations_ + S(1.0);
+  }
+
+  // Where the motion is, and all that the next steps depend on: doubles, or lanes of them, alone.
+  struct memory {
+    point at;
+    state slope;
+    S step;  // to be tried next, without its sign; 0: none is known yet
+    S size;  // of the motion, in radians
+  };
+  const memory& remembered() const { return now_; }
+  void resume(const memory& from) { now_ = from; }
+  // On to the end of the step: `next` is what after(length()) says.
+  PENDULA_INLINE void proceed(const point& next) { now_ = {next, engine::unpaired(k_[last]), proposed_, now_.size}; }
+
+  // Takes the trajectory of another stepper into a lane.
+  template <class Other>
+  void take(int l, const Other& from) {
+    set_lanes(system_, l, from.system_);
+    set_lanes(now_, l, from.now_);
+    set_lane(frequency_, l, from.frequency_);
+    set_lane(shortest_, l, from.shortest_);
+    set_lane(longest_, l, from.longest_);
+    set_lane(evaluations_, l, from.evaluations_);
+  }
+
+  // Makes a step forward in time or (direction −1) backward. Lanes whose step is accepted repeat it, to the same bits,
+  // until all others have theirs. A step that would have to be too short, or is not of numbers, leads to no number.
+  PENDULA_INLINE void expand(double direction) {
+    const components y = engine::paired(now_.at.head), inverse_scale = engine::paired(inverse_of_error_allowed());
+    S h = now_.step;
+    if (any_lane(equal(h, S(0.0)))) h = choose(equal(h, S(0.0)), first_step(direction, y, inverse_scale), h);
+    k_[0] = engine::paired(now_.slope);
+    auto pending = equal(S(0.0), S(0.0)), rejected = opposite(pending);
+    for (;;) {
+      evaluations_ = evaluations_ + choose(pending, S(dop853_table::stages - 1.0), S(0.0));
+      length_ = S(direction) * h;
+      increment_ = engine::increment(system_, y, k_, number(length_));
+      const estimate error = estimated(inverse_scale);
+      pending = both(opposite(error.accepted), less(shortest_, h));
+      if (!any_lane(pending)) {
+        settle(h, error.factor, rejected);
+        return;
+      }
+      rejected = opposite(both(opposite(rejected), opposite(pending)));
+      h = choose(pending, h * error.factor, h);
+    }
+  }
+  S length() const { return length_; }
+
+  // The point a time tau into the step.
+  PENDULA_INLINE point after(S tau) const { return all_lanes(equal(tau, length_)) ? result_ : within(tau); }
+  state state_of(const point& there) const { return there.head; }
+
+  const Sys& of() const { return system_; }
+  // Of the right-hand side, those of rejected steps included.
+  std::int64_t evaluations(int of_lane = 0) const {
+    return static_cast<std::int64_t>(lane(evaluations_, of_lane) + lane(extra_evaluations_, of_lane));
+  }
+
+  // Of the step's motion, on [0, 1] for the whole of it.
+  polynomial angle_polynomial(int i) const { return component_polynomial(static_cast<std::size_t>(i)); }
+  polynomial velocity_polynomial(int i) const { return component_polynomial(static_cast<std::size_t>(i) + freedom); }
+
+ private:
+  static constexpr std::size_t last = dop853_table::stages, freedom = Sys::dimension / 2;
+
+  using engine = dop853_step<Sys>;
+  using number = typename engine::number;
+  using components = typename engine::components;
+
+  struct estimate {
+    decltype(equal(S(0.0), S(0.0))) accepted;
+    S factor;  // to the length of the step that would just be accepted, with some safety
+  };
+
+  PENDULA_INLINE state inverse_of_error_allowed() const {
+    state inverse;
+    for (std::size_t i = 0; i < inverse.size(); ++i) {
+      const S size = i < freedom ? now_.size : frequency_ * now_.size;
+      inverse[i] = S(1.0) / (tolerance_ * (size + magnitude(now_.at.head[i])));
+    }
+    return inverse;
+  }
+
+  // Error = e5² / √(n (e5² + 0.01 e3²)) of both estimates in parts of what is allowed (Hairer, Nørsett & Wanner 1993,
+  // II.10), and the next step 0.9 / error^(1/8) as long, but at least 1/3, and at most 6 times (dop853.f).
+  PENDULA_INLINE estimate estimated(const components& inverse_scale) const {
+    const components fifth = engine::template sum<dop853_table::error, 0>(k_, number(length_)),
+                     other = engine::template sum<dop853_table::error, 1>(k_, number(length_));
+    const S e5 = engine::sum_of_squares(engine::each([&]<std::size_t i> { return fifth[i] * inverse_scale[i]; }));
+    const S e3 = engine::sum_of_squares(
+        engine::each([&]<std::size_t i> { return (increment_[i] - other[i]) * inverse_scale[i]; }));
+    const S sum = S(static_cast<double>(Sys::dimension)) * (e5 + S(0.01) * e3);
+    const S below = choose(equal(sum, S(0.0)), S(1.0), sum);
+    const S log2_of_error = rough_log2(e5) - S(0.5) * rough_log2(below);
+    const S wanted = S(-0.15200309344504995) - S(0.125) * log2_of_error;  // log2 of 0.9
+    const S least(-1.584962500721156), most(2.584962500721156);           // log2 of 1/3 and 6
+    const S from_below = choose(less(wanted, least), least, wanted);
+    return {less(e5 * e5, below), rough_exp2(choose(less(most, from_below), most, from_below))};
+  }
+
+  // A first guess from the slope, and how it changes over a short step of Euler's (Hairer, Nørsett & Wanner 1993,
+  // II.4), with the time that belongs to the largest frequency as unit.
+  [[gnu::noinline]] S first_step(double direction, const components& y, const components& inverse_scale) {
+    const S unit = S(1.0) / frequency_;
+    const components from = engine::paired(now_.slope);
+    const auto squares = [&](const components& a) {
+      return engine::sum_of_squares(engine::each([&]<std::size_t i> { return a[i] * inverse_scale[i]; }));
+    };
+    const S of_state = squares(y), of_slope = squares(from) * (unit * unit);
+    const auto large = both(less(S(1e-10), of_state), less(S(1e-10), of_slope));
+    const S h0 = choose(large, S(0.01) * square_root(of_state / of_slope), S(1e-6));
+    const number h = number(S(direction) * h0 * unit);
+    const components slope =
+        engine::paired(system_.rhs(engine::unpaired(engine::each([&]<std::size_t i> { return y[i] + h * from[i]; }))));
+    evaluations_ = evaluations_ + choose(equal(now_.step, S(0.0)), S(1.0), S(0.0));
+    const S of_change = squares(engine::each([&]<std::size_t i> { return slope[i] - from[i]; })) * (unit * unit);
+    const S curvature = of_change / (h0 * h0);
+    const S larger = choose(less(of_slope, curvature), curvature, of_slope);
+    const S h1 = rough_exp2(S(-0.830482023721841) - S(0.0625) * rough_log2(larger));  // (0.01 / √larger)^(1/8)
+    return limited(choose(less(S(100.0) * h0, h1), S(100.0) * h0, h1) * unit);
+  }
+  PENDULA_INLINE S limited(S h) const { return choose(less(h, longest_), h, longest_); }
+
+  // After the steps that were accepted: the points they lead to, and how long the next ones should be.
+  PENDULA_INLINE void settle(S h, S factor, decltype(estimate::accepted) rejected) {
+    const number or_none(choose(less(shortest_, h), S(1.0), S(std::numeric_limits<double>::quiet_NaN())));
+    increment_ = engine::each([&]<std::size_t i> { return increment_[i] * or_none; });
+    const compensated_point<components> from{engine::paired(now_.at.head), engine::paired(now_.at.tail)};
+    const auto to = from.moved_by(increment_);
+    result_ = {engine::unpaired(to.head), engine::unpaired(to.tail)};
+    k_[last] = engine::paired(system_.rhs(result_.head));
+    evaluations_ = evaluations_ + S(1.0) + extra_evaluations_;
+    extra_evaluations_ = S(0.0);
+    dense_known_ = false;
+    proposed_ = limited(h * choose(both(rejected, less(S(1.0), factor)), S(1.0), factor));
+  }
+
+  [[gnu::noinline]] point within(S tau) const {
+    if (!dense_known_) find_dense();
+    const auto whole = equal(tau, length_);
+    extra_evaluations_ = choose(whole, extra_evaluations_, S(3.0));
+    const S x = tau / length_, rest = S(1.0) - x;
+    state increment;
+    for (std::size_t i = 0; i < increment.size(); ++i) {
+      S sum = dense_[6][i];
+      for (int j = 5; j >= 0; --j) sum = dense_[j][i] + (j % 2 == 1 ? x : rest) * sum;
+      increment[i] = x * sum;
+    }
+    point there = now_.at.moved_by(increment);
+    for (std::size_t i = 0; i < increment.size(); ++i) {
+      there.head[i] = choose(whole, result_.head[i], there.head[i]);
+      there.tail[i] = choose(whole, result_.tail[i], there.tail[i]);
+    }
+    return there;
+  }
+
+  // The coefficients of y + x (d0 + (1 − x) (d1 + x (d2 + (1 − x) (d3 + …)))) (dop853.f: contd8).
+  [[gnu::noinline]] void find_dense() const {
+    const number h(length_);
+    const components y = engine::paired(now_.at.head);
+    [&]<std::size_t... i>(std::index_sequence<i...>) {
+      (engine::template add_slope<last + 1 + i>(system_, y, k_, h), ...);
+    }(std::make_index_sequence<3>{});
+    [&]<std::size_t... i>(std::index_sequence<i...>) {
+      ((dense_[3 + i] = engine::unpaired(engine::template sum<dop853_table::dense, i>(k_, h))), ...);
+    }(std::make_index_sequence<4>{});
+    const components& d0 = increment_;
+    const components d1 = engine::each([&]<std::size_t i> { return h * k_[0][i] - d0[i]; });
+    dense_[0] = engine::unpaired(d0);
+    dense_[1] = engine::unpaired(d1);
+    dense_[2] = engine::unpaired(engine::each([&]<std::size_t i> { return (d0[i] - h * k_[last][i]) - d1[i]; }));
+    dense_known_ = true;
+  }
+
+  polynomial component_polynomial(std::size_t i) const {
+    if (!dense_known_) find_dense();
+    extra_evaluations_ = S(3.0);
+    polynomial p;
+    p.coefficient[0] = dense_[6][i];
+    const auto times_x = [&p] {
+      for (int k = ++p.degree; k > 0; --k) p.coefficient[k] = p.coefficient[k - 1];
+      p.coefficient[0] = 0.0;
+    };
+    for (int j = 5; j >= 0; --j) {
+      const polynomial q = p;
+      times_x();
+      if (j % 2 == 0)
+        for (int k = 0; k <= p.degree; ++k) p.coefficient[k] = q.coefficient[k] - p.coefficient[k];
+      p.coefficient[0] += dense_[j][i];
+    }
+    times_x();
+    p.coefficient[0] = now_.at.head[i];
+    return p;
+  }
+
+  template <SystemOver>
+  friend class dop853_stepper;
+
+  Sys system_;
+  S tolerance_, frequency_, shortest_, longest_;
+  memory now_;
+  S length_, proposed_;
+  components increment_;
+  point result_;
+  S evaluations_{0.0};
+  // worked out when they are first asked for
+  mutable typename engine::slopes k_;
+  mutable std::array<state, 7> dense_;
+  mutable bool dense_known_ = false;
+  mutable S extra_evaluations_{0.0};
+};
+
+struct dop853 {
+  static constexpr std::string_view name = "dop853";
+  static constexpr int order = 8;
+  static constexpr int evaluations_per_step = 12;  // the last slope of a step is the first of the next
+  static constexpr bool adaptive = true, symplectic = false;
+  static constexpr double best_tolerance = 0x1p-52;
+  static constexpr std::string_view source = "Hairer, Nørsett & Wanner (1993), dop853.f";
+
+  template <SystemOver Sys>
+  static constexpr bool takes = true;
+  template <SystemOver Sys>
+  using stepper = dop853_stepper<Sys>;
+};
+
+}  // namespace pendula

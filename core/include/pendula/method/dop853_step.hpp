@@ -1,0 +1,85 @@
+// The sums over slopes that a step of DOP853, its error estimates and its dense output are made of.
+#pragma once
+
+#include <concepts>
+#include <type_traits>
+#include <utility>
+
+#include "pendula/method/dop853_tableau.hpp"
+#include "pendula/scalar/machine.hpp"
+
+namespace pendula {
+
+template <SystemOver Sys>
+struct dop853_step {
+  using S = typename Sys::scalar;
+  using state = typename Sys::state;
+  // Of one trajectory two components go side by side: the same operations on the same numbers.
+  static constexpr std::size_t abreast = std::same_as<S, double> ? 2 : 1, pairs = Sys::dimension / abreast;
+  using number = std::conditional_t<abreast == 2, pack<double, 2>, S>;
+  using components = std::array<number, pairs>;
+  using slopes = std::array<components, 16>;
+
+  PENDULA_INLINE static components paired(const state& y) {
+    if constexpr (abreast == 1) {
+      return y;
+    } else {
+      return each([&]<std::size_t i> { return lanes_of(y[2 * i], y[2 * i + 1]); });
+    }
+  }
+  PENDULA_INLINE static state unpaired(const components& y) {
+    if constexpr (abreast == 1) {
+      return y;
+    } else {
+      return [&]<std::size_t... i>(std::index_sequence<i...>) {
+        return state{y[i / 2][i % 2]...};
+      }(std::make_index_sequence<Sys::dimension>{});
+    }
+  }
+
+  // Σ_j (h w_j) k_j over a row. The newest slope is added last: the earlier terms need not wait for it.
+  template <const auto& table, std::size_t row>
+  PENDULA_INLINE static components sum(const slopes& k, const number& h) {
+    constexpr auto weights = std::get<row>(table);
+    return each([&]<std::size_t i> {
+      return [&]<std::size_t... j>(std::index_sequence<j...>) {
+        number total = (h * number(weights[0].coefficient)) * k[weights[0].slope][i];
+        ((total = total + (h * number(weights[j + 1].coefficient)) * k[weights[j + 1].slope][i]), ...);
+        return total;
+      }(std::make_index_sequence<weights.size() - 1>{});
+    });
+  }
+
+  template <std::size_t slope>
+  PENDULA_INLINE static void add_slope(const Sys& system, const components& y, slopes& k, const number& h) {
+    const components increment = sum<dop853_table::toward, slope - 1>(k, h);
+    k[slope] = paired(system.rhs(unpaired(each([&]<std::size_t i> { return y[i] + increment[i]; }))));
+  }
+
+  // From the slope at y, the first of the list, what a step of length h adds to y.
+  PENDULA_INLINE static components increment(const Sys& system, const components& y, slopes& k, const number& h) {
+    constexpr std::size_t stages = dop853_table::stages;
+    [&]<std::size_t... i>(std::index_sequence<i...>) {
+      (add_slope<i + 1>(system, y, k, h), ...);
+    }(std::make_index_sequence<stages - 1>{});
+    return sum<dop853_table::toward, stages - 1>(k, h);
+  }
+
+  // In the order of the components, two abreast or not.
+  PENDULA_INLINE static S sum_of_squares(const components& a) {
+    const state squares = unpaired(each([&]<std::size_t i> { return a[i] * a[i]; }));
+    S total = squares[0];
+    for (std::size_t i = 1; i < squares.size(); ++i) total = total + squares[i];
+    return total;
+  }
+
+  // {value<0>(), value<1>(), …}
+  template <class Value>
+  PENDULA_INLINE static components each(Value&& value) {
+    return [&]<std::size_t... i>(std::index_sequence<i...>) {
+      return components{value.template operator()<i>()...};
+    }(std::make_index_sequence<pairs>{});
+  }
+};
+
+}  // namespace pendula

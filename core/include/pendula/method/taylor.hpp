@@ -1,0 +1,143 @@
+// The Taylor method: the series of the motion is worked out to a high order, its last terms say how far it reaches, and
+// its sum there begins the next step (Jorba & Zou 2005, Exp. Math. 14, 99; Biscani & Izzo 2021, MNRAS 504, 2614).
+#pragma once
+
+#include <cmath>
+#include <vector>
+
+#include "pendula/scalar/compensated.hpp"
+#include "pendula/scalar/polynomial_roots.hpp"
+#include "pendula/scalar/rough_powers.hpp"
+#include "pendula/system/double_pendulum_series.hpp"
+#include "pendula/system/one_bob_series.hpp"
+
+namespace pendula {
+
+template <SystemOver Sys>
+class taylor_stepper {
+ public:
+  using S = typename Sys::scalar;
+  using state = typename Sys::state;
+  using point = compensated_point<state>;
+  using R = roughly<S>;
+
+  // Order 1 − ½ ln(tolerance) makes the least work for the distance (Jorba & Zou 2005, eq. 9); the next even number.
+  static int order_for(double log2_of_tolerance) {
+    const double pairs = 0.5 * (1.0 - 0.34657359027997264 * log2_of_tolerance);  // ½ ln 2
+    return 2 * static_cast<int>(std::ceil(pairs - 1e-3));
+  }
+
+  taylor_stepper(const Sys& system, double log2_of_tolerance)
+      : system_(system),
+        order_(order_for(log2_of_tolerance)),
+        series_(order_),
+        inverse_(static_cast<std::size_t>(order_) + 2),
+        log2_of_error_(log2_of_tolerance - 2.0) {
+    double log2_of_factorial = 0.0;
+    for (int k = 1; k <= order_ + 1; ++k) {
+      inverse_[k] = S(1.0) / S(static_cast<double>(k));
+      if (k <= order_) log2_of_factorial += rough_log2(static_cast<double>(k));
+    }
+    // a little more than the step of a small swing with the highest frequency: for what has no last terms, such as rest
+    const double reach = 1.1 * rough_exp2((log2_of_error_ + log2_of_factorial) / order_);
+    longest_ = R(reach) / square_root(rough(system.largest_frequency_squared()));
+  }
+
+  // Places the motion at a state (θ…, ω…). Errors are in parts of a radian, or of the amplitude of a small swing.
+  void start(const state& y) {
+    at_.head = system_.canonical(y);
+    at_.tail.fill(S(0.0));
+    const S energy = system_.kinetic_energy(y) + system_.potential_energy(y);
+    const R amplitude_squared = rough((energy + energy) / system_.energy_scale());
+    const auto small = both(less(R(0.0), amplitude_squared), less(amplitude_squared, R(1.0)));
+    log2_of_error_allowed_ = R(log2_of_error_) + choose(small, R(0.5) * rough_log2(amplitude_squared), R(0.0));
+  }
+
+  // Where the motion is, and all that the next steps depend on.
+  using memory = point;
+  const memory& remembered() const { return at_; }
+  void resume(const memory& from) { at_ = from; }
+  void proceed(const point& next) { at_ = next; }
+
+  // Works out the series at the point, and how far it reaches, forward in time or (direction −1) backward: as far as the
+  // terms of the two last orders stay below the error allowed.
+  PENDULA_INLINE void expand(double direction) {
+    series_.expand(system_, at_.head, at_.tail, inverse_.data());
+    const R a = log2_of_reach(order_ - 1), b = log2_of_reach(order_);
+    const R reach = rough_exp2(choose(less(a, b), a, b));
+    length_ = R(direction) * choose(less(longest_, reach), longest_, reach);
+    ++expansions_;
+  }
+  R length() const { return length_; }
+
+  PENDULA_INLINE point after(S tau) const { return at_.moved_by(series_.increment(tau, inverse_.data())); }
+  state state_of(const point& there) const { return system_.from_canonical(there.head); }
+
+  const Sys& of() const { return system_; }
+  std::int64_t evaluations() const { return expansions_; }
+
+  // Takes the trajectory of another stepper into a lane.
+  template <class Other>
+  void take(int l, const Other& from) {
+    set_lanes(system_, l, from.system_);
+    set_lanes(at_, l, from.at_);
+    set_lane(longest_, l, from.longest_);
+    set_lane(log2_of_error_allowed_, l, from.log2_of_error_allowed_);
+  }
+
+  // Of the step's motion, on [0, 1] for the whole of it.
+  polynomial angle_polynomial(int i) const {
+    polynomial p;
+    p.degree = order_;
+    p.coefficient[0] = at_.head[i];
+    double power = 1.0;
+    for (int k = 1; k <= order_; ++k) p.coefficient[k] = series_.velocity(i, k - 1) * inverse_[k] * (power *= length_);
+    return p;
+  }
+  polynomial velocity_polynomial(int i) const {
+    polynomial p;
+    p.degree = order_ - 1;
+    double power = 1.0;
+    for (int k = 0; k < order_; ++k, power *= length_) p.coefficient[k] = series_.velocity(i, k) * power;
+    return p;
+  }
+
+ private:
+  PENDULA_INLINE R log2_of_reach(int k) const {
+    R largest = rough_log2(series_.velocity(0, k - 1) * inverse_[k]);  // of θ_k
+    for (std::size_t i = 1; i < Sys::dimension / 2; ++i) {
+      const R next = rough_log2(series_.velocity(static_cast<int>(i), k - 1) * inverse_[k]);
+      largest = choose(less(largest, next), next, largest);
+    }
+    const R reach = (log2_of_error_allowed_ - largest) * R(1.0 / k);
+    return choose(less(R(500.0), reach), R(500.0), reach);  // a power of two can be made of that
+  }
+
+  template <SystemOver>
+  friend class taylor_stepper;
+
+  Sys system_;
+  int order_;
+  series<Sys> series_;
+  std::vector<S> inverse_;  // 1/k
+  double log2_of_error_;
+  R longest_, log2_of_error_allowed_, length_;
+  std::int64_t expansions_ = 0;
+  point at_;
+};
+
+struct taylor {
+  static constexpr std::string_view name = "taylor";
+  static constexpr int order = 20;  // at the best tolerance
+  static constexpr int evaluations_per_step = 1;  // of the series
+  static constexpr bool adaptive = true, symplectic = false;
+  static constexpr double best_tolerance = 0x1p-52;
+  static constexpr std::string_view source = "Jorba & Zou, Exp. Math. 14 (2005) 99";
+
+  template <SystemOver Sys>
+  static constexpr bool takes = true;
+  template <SystemOver Sys>
+  using stepper = taylor_stepper<Sys>;
+};
+
+}  // namespace pendula

@@ -1,0 +1,28 @@
+// Sums of many small increments that keep what rounding takes from them.
+#pragma once
+
+#include "pendula/scalar/product.hpp"
+
+namespace pendula {
+
+template <class State>
+struct compensated_point {
+  State head, tail;
+
+  // Kahan (1965), Comm. ACM 8, 40, with the exact error of each sum; numbers of many digits need none of it.
+  PENDULA_INLINE compensated_point moved_by(const State& increment) const {
+    compensated_point to = *this;
+    for (std::size_t i = 0; i < head.size(); ++i) {
+      if constexpr (is_machine_number<typename State::value_type>) {
+        const auto sum = two_sum(head[i], increment[i] + tail[i]);
+        to.head[i] = sum.head;
+        to.tail[i] = sum.tail;
+      } else {
+        to.head[i] = head[i] + increment[i];
+      }
+    }
+    return to;
+  }
+};
+
+}  // namespace pendula

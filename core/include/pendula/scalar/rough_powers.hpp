@@ -1,0 +1,47 @@
+// Logarithm and power of two to four digits, for lengths of steps: fast, and the same bits on every machine.
+#pragma once
+
+#include "pendula/scalar/choose.hpp"
+#include "pendula/scalar/sincos.hpp"
+
+namespace pendula {
+
+// What is left of a number where few digits are enough: itself, or a double where it is made of several.
+template <class S>
+PENDULA_INLINE auto rough(const S& x) {
+  if constexpr (is_machine_number<S>) {
+    return x;
+  } else {
+    return elementary<S>::rough(x);
+  }
+}
+template <class S>
+using roughly = decltype(rough(std::declval<S>()));
+
+// log2 |x| to 1e-4; of zero about −1023. The polynomial is the interpolant at Chebyshev's nodes.
+template <class S>
+PENDULA_INLINE roughly<S> rough_log2(const S& x)
+  requires(!is_machine_number<S>)
+{
+  return elementary<S>::rough_log2(x);
+}
+template <class S>
+PENDULA_INLINE S rough_log2(S x)
+  requires is_machine_number<S>
+{
+  const auto pattern = bits(x) & ~sign_bit;
+  const S exponent = from_bits<S>((pattern >> 52) + bits(0x1p52)) - S(0x1p52 + 1023.0);
+  const S m = from_bits<S>((pattern & 0x000fffffffffffff) + bits(1.0));  // in [1, 2)
+  return exponent +
+         (S(-2.50561466) + m * (S(4.04961689) + m * (S(-2.09940228) + m * (S(0.63551112) + m * S(-0.08001088)))));
+}
+
+// For |x| ≤ 1000, to 3e-6 of the result.
+template <class S>
+PENDULA_INLINE S rough_exp2(S x) {
+  const S n = nearest_whole(x), f = x - n;
+  const S part = S(1.00000008) + f * (S(0.69312103) + f * (S(0.24022107) + f * (S(0.05592204) + f * S(0.00967604))));
+  return part * from_bits<S>((bits(n + S(whole_number_magic)) + 1023) << 52);
+}
+
+}  // namespace pendula

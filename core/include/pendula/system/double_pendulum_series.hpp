@@ -1,0 +1,104 @@
+// Taylor series of a motion of the double pendulum, order by order (Jorba & Zou 2005, Exp. Math. 14, 99). In canonical
+// variables and with ∗ for the Cauchy product,
+//     θ_i' = ω_i,   p1' = −C F − D s1,   p2' = C F − E s2,   F = s ∗ ω1 ∗ ω2,
+//     s_i' = c_i ∗ ω_i,   c_i' = −s_i ∗ ω_i,   s' = c ∗ (ω1 − ω2),   c' = −s ∗ (ω1 − ω2),
+// where s, c are sine and cosine of δ = θ1 − θ2 and the velocities follow at each order k from
+//     A ω1_k + C c_0 ω2_k = p1_k − C Σ_{j≥1} c_j ω2_{k−j},   C c_0 ω1_k + B ω2_k = p2_k − C Σ_{j≥1} c_j ω1_{k−j}:
+// the matrix is that of order 0. Sines and cosines are carried times D, E and C, which saves those products.
+#pragma once
+
+#include <vector>
+
+#include "pendula/system/double_pendulum.hpp"
+#include "pendula/system/double_pendulum_products.hpp"
+#include "pendula/system/series.hpp"
+
+namespace pendula {
+
+template <class S>
+class double_pendulum_series {
+ public:
+  using system = double_pendulum::over<S>;
+
+  // The order is even.
+  explicit double_pendulum_series(int order) : orders_(static_cast<std::size_t>(order) + 1) {}
+
+  // The motion from the point (θ1, θ2, p1, p2), whose angles go on in `tail`. `inverse` holds 1/k at place k.
+  PENDULA_INLINE void expand(const system& of, const vec<S, 4>& point, const vec<S, 4>& tail, const S* inverse) {
+    const auto pair = sincos(point[0], point[1]);
+    const auto [s1, c1] = turned_by(pair[0], tail[0]);
+    const auto [s2, c2] = turned_by(pair[1], tail[1]);
+    const S sine = of.C * (s1 * c2 - c1 * s2), cosine = of.C * (c1 * c2 + s1 * s2);
+    const S of_determinant = S(1.0) / (of.determinant_floor + sine * sine);
+    const detail::double_inverse<S> mass{of.B * of_determinant, -(cosine * of_determinant), of.A * of_determinant};
+    orders_[0].factor = products::factor_of(of.D * c1, of.D * s1, of.E * c2, of.E * s2, cosine, sine);
+    orders_[0].p1 = point[2];
+    orders_[0].p2 = point[3];
+    const int last = static_cast<int>(orders_.size()) - 1;
+    for (int k = 0; k < last; ++k) advance(k, mass, inverse[k + 1]);
+  }
+
+  // Order k of ω_i, i = 0 or 1, below the order of the series.
+  PENDULA_INLINE S velocity(int i, int k) const {
+    return i == 0 ? products::first(orders_[k].w) : products::second(orders_[k].w);
+  }
+
+  // What is added to (θ1, θ2, p1, p2) in a time h: even and odd orders side by side.
+  PENDULA_INLINE vec<S, 4> increment(S h, const S* inverse) const {
+    const S square = h * h;
+    typename products::velocity angles{}, angles_below{};
+    S p1(0.0), p1_below(0.0), p2(0.0), p2_below(0.0);
+    for (int k = static_cast<int>(orders_.size()) - 1; k >= 2; k -= 2) {
+      angles = angles * square + orders_[k - 1].w * inverse[k];
+      angles_below = angles_below * square + orders_[k - 2].w * inverse[k - 1];
+      p1 = p1 * square + orders_[k].p1;
+      p2 = p2 * square + orders_[k].p2;
+      p1_below = p1_below * square + orders_[k - 1].p1;
+      p2_below = p2_below * square + orders_[k - 1].p2;
+    }
+    angles = (angles * h + angles_below) * h;
+    return {products::first(angles), products::second(angles), (p1 * h + p1_below) * h, (p2 * h + p2_below) * h};
+  }
+
+ private:
+  using products = detail::double_products<S>;
+  struct one_order {
+    typename products::factor factor;
+    typename products::velocity w;
+    S sine_first;  // s ∗ ω1, times C
+    S p1, p2;
+  };
+
+  // Order k of the velocities and k + 1 of the rest. Terms with the newest numbers come last: the others need not wait.
+  PENDULA_INLINE void advance(int k, const detail::double_inverse<S>& mass, S inverse) {
+    one_order* const o = orders_.data();
+    products sum;
+    S turning(0.0);
+    for (int j = 2; j < k; ++j) {
+      sum.add(o[j].factor, o[k - j].w);
+      turning = detail::with_product(turning, o[j].sine_first * products::second(o[k - j].w));
+    }
+    if (k > 1) {
+      sum.add(o[1].factor, o[k - 1].w);
+      turning = detail::with_product(turning, o[1].sine_first * products::second(o[k - 1].w));
+    }
+    if (k > 0) sum.add(o[k].factor, o[0].w);
+    o[k].w = sum.solved(mass, o[k].p1, o[k].p2);
+    sum.add(o[0].factor, o[k].w);
+    o[k].sine_first = sum.sine_first();
+    if (k > 0) turning = turning + o[0].sine_first * products::second(o[k].w);
+    turning = turning + o[k].sine_first * products::second(o[0].w);
+    o[k + 1].factor = sum.integrated(inverse);
+    o[k + 1].p1 = (turning + o[k].factor.first_sine()) * -inverse;
+    o[k + 1].p2 = (turning - o[k].factor.second_sine()) * inverse;
+  }
+
+  std::vector<one_order> orders_;
+};
+
+template <class S>
+struct series_of<double_pendulum::over<S>> {
+  using type = double_pendulum_series<S>;
+};
+
+}  // namespace pendula

@@ -1,0 +1,89 @@
+#include "pendula/drive/horizon.hpp"
+
+#include "pendula/catalog.hpp"
+#include "pendula/drive/adaptive.hpp"
+#include "pendula/drive/fixed.hpp"
+#include "pendula/drive/trust.hpp"
+
+namespace pendula {
+
+namespace {
+
+constexpr double never = std::numeric_limits<double>::infinity();
+
+using poll = std::function<bool(double)>;
+
+struct watcher {
+  parting& from;
+  double horizon = never;
+
+  template <class Run>
+  void event(const Run&, int, double) {}
+  template <class Run>
+  bool step(const Run& run, double stop) {
+    const double right = from.right_in_step(run, stop);
+    if (right != stop) horizon = run.time_after(right);
+    return right == stop;
+  }
+};
+
+template <class Stepper>
+std::optional<double> of_adaptive(Stepper& stepper, const horizon_request& asked, parting& from, const poll& go_on) {
+  adaptive_run<Stepper> run(stepper, asked.t0, asked.end);
+  watcher watching{from};
+  bool going_on = true;
+  const auto ended = run.to_end(std::numeric_limits<std::int64_t>::max(), watching,
+                                [&](double t, std::int64_t) { return going_on = go_on(t); });
+  if (!going_on) return std::nullopt;
+  return ended.ended == outcome::not_finite ? run.time_after(0.0) : watching.horizon;
+}
+
+// Steps where the run has them, at t0 + n h, and the shortened one at the end.
+template <class Method, class Sys>
+std::optional<double> of_fixed(const Sys& system, const typename Sys::state& start, const horizon_request& asked,
+                               parting& from, const poll& go_on) {
+  constexpr std::int64_t between_polls = 4096;
+  auto at = Method::begin(system, start);
+  const fixed_output last = place_on_grid(asked.end, asked.t0, asked.step);
+  for (std::int64_t n = 1; n <= last.steps; ++n) {
+    at = Method::step(system, at, asked.step);
+    const wide<double> time = wide<double>(two_product(static_cast<double>(n), asked.step)) + wide<double>(asked.t0);
+    if (!from.right(time, Method::state_of(system, at))) return rounded(time);
+    if (n % between_polls == 0 && !go_on(rounded(time))) return std::nullopt;
+  }
+  if (last.rest == 0.0) return never;
+  const auto there = Method::state_of(system, Method::step(system, at, last.rest));
+  return from.right(wide<double>(asked.end), there) ? never : asked.end;
+}
+
+template <class Entry>
+std::optional<double> of_system(const horizon_request& asked, parting& from, const poll& go_on) {
+  using Sys = typename Entry::template over<double>;
+  const Sys system = Entry::template make<double>(asked.form, asked.parameters.data());
+  typename Sys::state start;
+  std::ranges::copy(asked.state, start.begin());
+  std::optional<double> found;
+  with<adaptive_methods>(asked.method, [&]<class Method>() {
+    typename Method::template stepper<Sys> stepper(system, asked.log2_of_tolerance);
+    stepper.start(start);
+    found = of_adaptive(stepper, asked, from, go_on);
+  });
+  with<fixed_methods>(asked.method, [&]<class Method>() {
+    if constexpr (StepsOver<Method, Sys>) found = of_fixed<Method>(system, start, asked, from, go_on);
+  });
+  return found;
+}
+
+}  // namespace
+
+std::optional<double> trust_horizon(const horizon_request& asked, const poll& go_on) {
+  const double direction = asked.end < asked.t0 ? -1.0 : 1.0;
+  const auto beside = pendula_kernels::best_shadow_maker().make(
+      {asked.system, asked.form, asked.parameters.data(), asked.state.data(), asked.t0, direction});
+  parting from(*beside, asked.certify, direction);
+  std::optional<double> found;
+  with<systems>(asked.system, [&]<class Entry>() { found = of_system<Entry>(asked, from, go_on); });
+  return found;
+}
+
+}  // namespace pendula
