@@ -34,8 +34,10 @@ struct teller_of_bits {
 template <class Stepper>
 void run_alone(Stepper& stepper, double end, std::span<const event> events, bool dense, std::vector<double>& numbers) {
   using run = adaptive_run<Stepper>;
-  const auto result = run(stepper, 0.0, end, events)
-                          .to_end(1 << 20, teller_of_bits<run>{numbers, dense}, [](double, auto) { return true; });
+  const auto result =
+      run(stepper, 0.0, end, events).to_end(1 << 20, teller_of_bits<run>{numbers, dense}, [](double, auto) {
+        return true;
+      });
   numbers.push_back(static_cast<double>(result.steps));
 }
 

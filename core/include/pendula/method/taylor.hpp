@@ -50,7 +50,7 @@ class taylor_stepper {
     const S energy = system_.kinetic_energy(y) + system_.potential_energy(y);
     const R amplitude_squared = rough((energy + energy) / system_.energy_scale());
     const auto small = both(less(R(0.0), amplitude_squared), less(amplitude_squared, R(1.0)));
-    log2_of_error_allowed_ = R(log2_of_error_) + choose(small, R(0.5) * rough_log2(amplitude_squared), R(0.0));
+    log2_of_scale_ = choose(small, R(0.5) * rough_log2(amplitude_squared), R(0.0));
   }
 
   // Where the motion is, and all that the next steps depend on.
@@ -59,12 +59,17 @@ class taylor_stepper {
   void resume(const memory& from) { at_ = from; }
   void proceed(const point& next) { at_ = next; }
 
-  // Works out the series at the point, and how far it reaches, forward in time or (direction −1) backward: as far as the
-  // terms of the two last orders stay below the error allowed.
+  // Works out the series at the point, and how far it reaches, forward in time or (direction −1) backward: as far as
+  // the term before the last stays below the error allowed. Four orders tell the radius of convergence, and the least
+  // counts: a motion from rest has none of the odd ones, one from rest at a right angle every fourth only.
   PENDULA_INLINE void expand(double direction) {
     series_.expand(system_, at_.head, at_.tail, inverse_.data());
-    const R a = log2_of_reach(order_ - 1), b = log2_of_reach(order_);
-    const R reach = rough_exp2(choose(less(a, b), a, b));
+    R radius = log2_of_radius(order_);
+    for (int k = order_ - 1; k > order_ - 4; --k) {
+      const R other = log2_of_radius(k);
+      radius = choose(less(other, radius), other, radius);
+    }
+    const R reach = rough_exp2(radius + R(log2_of_error_ / (order_ - 1)));
     length_ = R(direction) * choose(less(longest_, reach), longest_, reach);
     ++expansions_;
   }
@@ -82,7 +87,7 @@ class taylor_stepper {
     set_lanes(system_, l, from.system_);
     set_lanes(at_, l, from.at_);
     set_lane(longest_, l, from.longest_);
-    set_lane(log2_of_error_allowed_, l, from.log2_of_error_allowed_);
+    set_lane(log2_of_scale_, l, from.log2_of_scale_);
   }
 
   // Of the step's motion, on [0, 1] for the whole of it.
@@ -103,14 +108,21 @@ class taylor_stepper {
   }
 
  private:
-  PENDULA_INLINE R log2_of_reach(int k) const {
-    R largest = rough_log2(series_.velocity(0, k - 1) * inverse_[k]);  // of θ_k
-    for (std::size_t i = 1; i < Sys::dimension / 2; ++i) {
-      const R next = rough_log2(series_.velocity(static_cast<int>(i), k - 1) * inverse_[k]);
-      largest = choose(less(largest, next), next, largest);
+  // log2 |θ_k|, of the rod where it is larger.
+  PENDULA_INLINE R log2_of_size(int k) const {
+    if constexpr (Sys::dimension == 2) {
+      return rough_log2(series_.velocity(0, k - 1) * inverse_[k]);
+    } else if constexpr (is_machine_number<S>) {
+      const S first = magnitude(series_.velocity(0, k - 1)), second = magnitude(series_.velocity(1, k - 1));
+      return rough_log2(choose(less(first, second), second, first) * inverse_[k]);
+    } else {  // whose exponents can be beyond those of a double
+      const R first = rough_log2(series_.velocity(0, k - 1)), second = rough_log2(series_.velocity(1, k - 1));
+      return choose(less(first, second), second, first) + rough_log2(inverse_[k]);
     }
-    const R reach = (log2_of_error_allowed_ - largest) * R(1.0 / k);
-    return choose(less(R(500.0), reach), R(500.0), reach);  // a power of two can be made of that
+  }
+  PENDULA_INLINE R log2_of_radius(int k) const {
+    const R radius = (log2_of_scale_ - log2_of_size(k)) * R(1.0 / k);
+    return choose(less(R(500.0), radius), R(500.0), radius);  // a power of two can be made of that
   }
 
   template <SystemOver>
@@ -121,14 +133,14 @@ class taylor_stepper {
   series<Sys> series_;
   std::vector<S> inverse_;  // 1/k
   double log2_of_error_;
-  R longest_, log2_of_error_allowed_, length_;
+  R longest_, log2_of_scale_, length_;
   std::int64_t expansions_ = 0;
   point at_;
 };
 
 struct taylor {
   static constexpr std::string_view name = "taylor";
-  static constexpr int order = 20;  // at the best tolerance
+  static constexpr int order = 20;                // at the best tolerance
   static constexpr int evaluations_per_step = 1;  // of the series
   static constexpr bool adaptive = true, symplectic = false;
   static constexpr double best_tolerance = 0x1p-52;

@@ -43,14 +43,18 @@ struct double_products {
   S c1{0.0}, s1{0.0}, c2{0.0}, s2{0.0}, c_first{0.0}, s_first{0.0}, c_second{0.0}, s_second{0.0};
 
   PENDULA_INLINE void add(const factor& a, const velocity& w) {
+    add_coupling(a, w);
     c1 = with_product(c1, a.c1 * w.first);
     s1 = with_product(s1, a.s1 * w.first);
     c2 = with_product(c2, a.c2 * w.second);
     s2 = with_product(s2, a.s2 * w.second);
+    s_second = with_product(s_second, a.s * w.second);
+  }
+  // Without what only the factors' next order needs.
+  PENDULA_INLINE void add_coupling(const factor& a, const velocity& w) {
     c_first = with_product(c_first, a.c * w.first);
     s_first = with_product(s_first, a.s * w.first);
     c_second = with_product(c_second, a.c * w.second);
-    s_second = with_product(s_second, a.s * w.second);
   }
   // The velocities of an order from its momenta and the products with all orders before.
   PENDULA_INLINE velocity solved(const double_inverse<S>& m, S p1, S p2) const {
@@ -88,6 +92,9 @@ struct products_in_lanes {
 
   PENDULA_INLINE void add(const factor& a, const velocity& w) {
     outer = with_product(outer, a.outer * w);
+    add_coupling(a, w);
+  }
+  PENDULA_INLINE void add_coupling(const factor& a, const velocity& w) {
     coupling = with_product(coupling, a.coupling * w);
   }
   PENDULA_INLINE velocity solved(const double_inverse<S>& m, S p1, S p2) const {

@@ -35,7 +35,8 @@ class double_pendulum_series {
     orders_[0].p1 = point[2];
     orders_[0].p2 = point[3];
     const int last = static_cast<int>(orders_.size()) - 1;
-    for (int k = 0; k < last; ++k) advance(k, mass, inverse[k + 1]);
+    for (int k = 0; k + 1 < last; ++k) advance(k, mass, inverse[k + 1]);
+    conclude(last - 1, mass, inverse[last]);
   }
 
   // Order k of ω_i, i = 0 or 1, below the order of the series.
@@ -86,9 +87,31 @@ class double_pendulum_series {
     o[k].w = sum.solved(mass, o[k].p1, o[k].p2);
     sum.add(o[0].factor, o[k].w);
     o[k].sine_first = sum.sine_first();
-    if (k > 0) turning = turning + o[0].sine_first * products::second(o[k].w);
-    turning = turning + o[k].sine_first * products::second(o[0].w);
     o[k + 1].factor = sum.integrated(inverse);
+    turn(k, turning, inverse);
+  }
+
+  // The last order: the factors need none.
+  [[gnu::noinline]] void conclude(int k, const detail::double_inverse<S>& mass, S inverse) {
+    one_order* const o = orders_.data();
+    products sum;
+    S turning(0.0);
+    for (int j = 1; j < k; ++j) {
+      sum.add_coupling(o[j].factor, o[k - j].w);
+      turning = detail::with_product(turning, o[j].sine_first * products::second(o[k - j].w));
+    }
+    sum.add_coupling(o[k].factor, o[0].w);
+    o[k].w = sum.solved(mass, o[k].p1, o[k].p2);
+    sum.add_coupling(o[0].factor, o[k].w);
+    o[k].sine_first = sum.sine_first();
+    turn(k, turning, inverse);
+  }
+
+  // Order k + 1 of the momenta.
+  PENDULA_INLINE void turn(int k, S turning, S inverse) {
+    one_order* const o = orders_.data();
+    if (k > 0) turning = detail::with_product(turning, o[0].sine_first * products::second(o[k].w));
+    turning = detail::with_product(turning, o[k].sine_first * products::second(o[0].w));
     o[k + 1].p1 = (turning + o[k].factor.first_sine()) * -inverse;
     o[k + 1].p2 = (turning - o[k].factor.second_sine()) * inverse;
   }

@@ -88,7 +88,8 @@ class linear_pendulum_series : public one_bob_series<S> {
     S* const w = this->velocity_.data();
     w[0] = point[1];
     w[1] = -(of.frequency_squared * point[0]);
-    for (int k = 1; k < this->order_; ++k) w[k + 1] = -(of.frequency_squared * (w[k - 1] * inverse[k]) * inverse[k + 1]);
+    for (int k = 1; k < this->order_; ++k)
+      w[k + 1] = -(of.frequency_squared * (w[k - 1] * inverse[k]) * inverse[k + 1]);
   }
 };
 
