@@ -1,4 +1,4 @@
-"""RK4 of the two rods and the closed forms, each beside its peers in one run."""
+"""RK4 of the two rods, the closed forms and the Taylor series, each beside its peers in one run."""
 
 import datetime
 import platform
@@ -6,7 +6,7 @@ import subprocess
 import sys
 from pathlib import Path
 
-from benchmarks import exact, peers
+from benchmarks import exact, peers, taylor
 
 ROOT = Path(__file__).resolve().parent.parent
 BUILD = ROOT / "build" / "benchmarks"
@@ -68,6 +68,8 @@ def main() -> None:
     )
     print(f"bare loop ÷ 4 lanes, AVX2:        {libm / lanes:6.2f}   (asked: ≥ 5)\n")
     exact.report()
+    print()
+    taylor.report(BUILD)
 
 
 if __name__ == "__main__":

@@ -52,7 +52,7 @@ def test_version_and_help(call: Call) -> None:
     assert call("--version") == (0, f"pendula {pendula.__version__}\n", "")
     code, printed, told = call("")
     assert (code, told) == (0, "")
-    for name in ("solve", "exact", "period", "methods", "study"):
+    for name in ("solve", "exact", "period", "methods", "compare", "study"):
         assert re.search(rf"^  {name} ", printed, re.MULTILINE)
         assert call(f"{name} --help")[0] == 0
 
@@ -63,7 +63,8 @@ def test_the_catalogue_gives_the_options(entry: _engine.SystemEntry) -> None:
     state = {row.name for row in entry.components}
     forms = {form.name for form in entry.forms} if len(entry.forms) > 1 else set()
     options = options_of("solve", entry.name)
-    own = {"t0", "until", "method", "step", "every", "output", "force"}
+    own = {"t0", "until", "method", "step", "tolerance", "every", "output", "force"}
+    own |= {"certify", "digits", "event"}
     assert {name[2:] for name in options if name.startswith("--")} == rows | state | forms | own
     method = options["--method"].type
     assert isinstance(method, click.Choice)
@@ -80,10 +81,16 @@ def test_the_catalogue_gives_the_options(entry: _engine.SystemEntry) -> None:
 def test_the_table_of_methods_is_the_catalogue(call: Call) -> None:
     _, printed, _ = call("methods")
     lines = printed.splitlines()
+    assert re.split("  +", lines[0]) == [
+        *("name", "order", "kind", "symplectic", "dense output", "systems", "evaluations/step"),
+        "source",
+    ]
     assert [line.split()[0] for line in lines[1:]] == [each.name for each in _engine.methods()]
     for line, each in zip(lines[1:], _engine.methods(), strict=True):
         assert line.endswith(each.source)
         assert int(line.split()[1]) == each.order
+        assert line.split()[2] == ("adaptive" if each.adaptive else "fixed")
+        assert line.split()[4] == ("yes" if each.adaptive else "no")
 
 
 def test_periods_are_printed_to_the_last_digit(call: Call) -> None:

@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from pendula.trajectory import Trajectory
 
 SOLVE = "solve simple --method rk4 --step 1ms --until 1s"
+TAYLOR = "solve simple --until 1s"
 DOUBLE = "solve double --method rk4 --step 1ms --until 1s"
 BLOW_UP = "solve double --method euler --step 1s --until 1000s"
 EXISTING = "there.csv"
@@ -60,7 +61,7 @@ def told(arguments: list[str], code: int, capsys: pytest.CaptureFixture[str]) ->
         (f"{SOLVE} --length 5quux", "--length has the unknown unit 'quux'"),
         (f"{SOLVE} --length", "'--length' requires an argument"),
         (f"{SOLVE} --length 50 cm", "a value with spaces needs quotes"),
-        (f"{SOLVE} --lenght 1", "Did you mean '--length'?"),
+        (f"{SOLVE} --lenght 1", "No such option '--lenght'. (Did you mean one of: "),
         (f"{SOLVE} --length 1e-308 --gravity 1e308", "cannot be computed with"),
         (f"{SOLVE} --step 0", "--step must be positive [s], got 0.0"),
         (f"{SOLVE} --step -1ms", "--step must be positive [s], got -0.001"),
@@ -72,7 +73,27 @@ def told(arguments: list[str], code: int, capsys: pytest.CaptureFixture[str]) ->
         (f"{SOLVE} --every 0s", "--every must be positive [s], got 0.0"),
         (f"{SOLVE} --every 1e-12", "--every must give at most 100000000 outputs"),
         (f"{SOLVE} --method rk5", ", ".join(repr(each.name) for each in methods())),
-        ("solve simple --step 1ms --until 1s", "Missing option '--method'"),
+        (
+            "solve simple --step 1ms --until 1s",
+            "--step is not taken by the adaptive method 'taylor', got 0.001; leave it out",
+        ),
+        (
+            "solve simple --method rk4 --until 1s",
+            "--step is needed by the fixed-step method 'rk4'; give --step 1ms, say",
+        ),
+        (f"{SOLVE} --tolerance 1e-9", "--tolerance is not taken by the fixed-step method 'rk4'"),
+        (f"{TAYLOR} --tolerance 1e-20", "got 1e-20; for more digits than a double has, take --dig"),
+        (f"{TAYLOR} --tolerance small", "--tolerance "),
+        (f"{TAYLOR} --tolerance 1e-9m", "--tolerance must be "),
+        (f"{TAYLOR} --certify 3", "--certify must be an angle of at most 1 rad, got 3.0"),
+        (f"{TAYLOR} --certify 1nm", "--certify must be in rad or a unit of the same kind"),
+        (f"{TAYLOR} --certify 0", "--certify must be positive [rad], got 0.0"),
+        (f"{TAYLOR} --digits 16", "--digits must be a whole number from 1 to 15, got 16"),
+        (f"{TAYLOR} --digits nine", "Invalid value for '--digits': 'nine' is not a valid integer"),
+        (f"{TAYLOR} --digits 9 --tolerance 1e-9", "--digits is not taken together with a toleranc"),
+        (f"{SOLVE} --digits 9", "--digits is not taken together with the method 'rk4'"),
+        (f"{SOLVE} --event velocity-zero", "--event must be such as 'flip 1', 'angle 1 0deg risi"),
+        (f"{TAYLOR} --event flap", "or 'tip-height 50cm falling end', got 'flap'"),
         (f"{SOLVE} -o no/such/x.csv", "cannot write no/such/x.csv"),
         (f"{SOLVE} -o {EXISTING}/x.csv", f"cannot write {EXISTING}/x.csv"),
         (f"{SOLVE} -o {EXISTING}", f"{EXISTING} exists; choose another name"),
@@ -82,7 +103,7 @@ def told(arguments: list[str], code: int, capsys: pytest.CaptureFixture[str]) ->
         (f"{DOUBLE} --bodies --bobs", "--bobs and --bodies exclude one another"),
         ("solve", "name a system: linear, simple, double"),
         ("solve triple", "no system 'triple'; take one of linear, simple, double"),
-        ("slove", "no command 'slove'; take one of solve, exact, period, methods, study"),
+        ("slove", "no command 'slove'; take one of solve, exact, period, methods, "),
         ("exact double --at 1s", "no system 'double'; take one of linear, simple"),
         ("exact simple", "name the times with --at 1s,2s or with --until"),
         ("exact simple --at 1s --until 2s", "name the times with --at 1s,2s or with --until"),
@@ -107,7 +128,7 @@ def test_wrong_use_is_told_in_one_line(
 ) -> None:
     printed = told(line.split(), 2, capsys)
     assert message in printed
-    for python in ("numpy", "linspace", "state=", "t=", "use solve"):
+    for python in ("numpy", "linspace", "state=", "t=", "use solve", "step=", "digits="):
         assert python not in printed
 
 
@@ -168,6 +189,7 @@ def test_a_run_that_blows_up_says_when_and_leaves_no_file(
         f"{SOLVE} --omega 1e200",
         f"{SOLVE} --omega 1e9 --every 100ms -o x.csv",
         f"{DOUBLE} --theta2 -1e9",
+        f"{TAYLOR} --omega 1e9",
     ],
 )
 def test_an_angle_beyond_the_sine_is_told(line: str, capsys: pytest.CaptureFixture[str]) -> None:

@@ -15,7 +15,9 @@ COMMAND = (sys.executable, "-m", "pendula")
 HEAVY = ("numpy", "matplotlib", "rich", "pint", "xarray", "pandas")
 
 
-@pytest.mark.parametrize("line", ["", "solve double --help", "study --help", "--version"])
+@pytest.mark.parametrize(
+    "line", ["", "solve double --help", "compare simple --help", "study --help", "--version"]
+)
 def test_help_loads_nothing_heavy(line: str) -> None:
     code = (
         "import sys; before = set(sys.modules)\n"
@@ -37,12 +39,20 @@ def test_methods_and_errors_load_no_numpy() -> None:
     subprocess.run([sys.executable, "-c", code], check=True, capture_output=True)
 
 
-def test_ctrl_c_ends_a_long_run_without_a_file(tmp_path: Path) -> None:
+@pytest.mark.parametrize(
+    "line",
+    [
+        "solve double --method rk4 --step 1e-8 --until 1000s --every 1s -o x.csv",
+        "solve double --until 1e12s --every 1e11s -o x.csv",
+        "solve simple --until 1e6s --every 1e6s --certify 1 -o x.csv",
+        "solve double --until 500s --every 500s --digits 12 -o x.csv",
+    ],
+)
+def test_ctrl_c_ends_a_long_run_without_a_file(line: str, tmp_path: Path) -> None:
     code = (
         "import sys; from pendula.cli import main\n"
         "print('ready', flush=True); sys.exit(main(sys.argv[1:]))"
     )
-    line = "solve double --method rk4 --step 1e-8 --until 1000s --every 1s -o x.csv"
     with subprocess.Popen(
         [sys.executable, "-c", code, *line.split()],
         cwd=tmp_path,
@@ -52,7 +62,7 @@ def test_ctrl_c_ends_a_long_run_without_a_file(tmp_path: Path) -> None:
     ) as process:
         assert process.stdout is not None
         assert process.stdout.readline() == "ready\n"
-        time.sleep(0.7)  # by now it is in the loop, which would take an hour
+        time.sleep(0.7)  # by now it is in the loop, which would take a minute or an hour
         process.send_signal(signal.SIGINT)
         printed, told = process.communicate(timeout=20)
     assert process.returncode == 130
@@ -96,12 +106,13 @@ def test_a_curve_is_drawn_where_it_can_be_printed(encoding: str, drawn: bool) ->
 @pytest.mark.parametrize(
     ("line", "closed", "code"),
     [
-        ("solve simple --until 1s --step 1ms --method rk4", ">&-", 0),
+        ("solve simple --until 1s --event 'flip 1'", ">&-", 0),
         ("--help", ">&-", 0),
         ("solve simple --lenght 1", ">&- 2>&-", 2),
         ("solve simple --lenght 1", "2>&-", 2),
         ("solve simple --until 1s --step 1ms --method rk4 -o x.csv", ">&- 2>&-", 0),
         ("solve simple --until 12s --step 1us --every 1s --method rk4 -o x.csv", "2>&-", 0),
+        ("solve simple --until 12s --every 1s --certify 1e-9 -o x.csv", "2>&-", 0),
     ],
 )
 def test_a_closed_stream_is_no_error(line: str, closed: str, code: int, tmp_path: Path) -> None:

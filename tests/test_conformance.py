@@ -50,7 +50,7 @@ ADAPTIVE = Fine(0.0, 1e-14, 4e-15, 1e-14)  # at the best tolerance
 TAKEN = [(each, name) for each in methods() for name in each.systems]
 
 
-def control(method: Any, factor: float = 1.0) -> dict[str, float]:
+def control(method: Any, factor: float = 1.0) -> dict[str, Any]:
     return {} if method.adaptive else {"step": FINE[method.name].step * factor}
 
 
@@ -70,7 +70,7 @@ def test_adaptive_steps_keep_to_their_tolerance(method: Any, system: Any) -> Non
     for tolerance in (1e-4, 1e-7, 1e-10, 1e-13):
         run = solve(system, START, TIMES, method.name, tolerance=tolerance)
         errors.append(np.abs(run.theta - truth).max())
-        assert 0.01 * tolerance < errors[-1] < 10 * tolerance
+        assert 1e-3 * tolerance < errors[-1] < 10 * tolerance
     assert errors == sorted(errors, reverse=True)
     best = solve(system, START, TIMES, method.name)
     assert np.abs(best.theta - truth).max() < ADAPTIVE.closed_form

@@ -10,13 +10,13 @@ from pathlib import Path
 import pytest
 
 import pendula
+from pendula._engine import Method
 from pendula.cli.app import _pendula
 from pendula.study.errata import errata
 from test_readme import ROOT, Block, blocks
 
 DOCS = ROOT / "docs"
 LANGUAGES = ("en", "es")
-TRANSLATED = sorted(path.name for path in (DOCS / "en").glob("*.md"))
 PAGES = [*ROOT.glob("*.md"), *DOCS.rglob("*.md")]
 PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
 every_language = pytest.mark.parametrize("language", LANGUAGES)
@@ -24,6 +24,14 @@ every_language = pytest.mark.parametrize("language", LANGUAGES)
 
 def text_of(path: Path) -> str:
     return path.read_text(encoding="utf-8")
+
+
+def pages_of(language: str) -> list[str]:
+    folder = DOCS / language
+    return sorted(path.relative_to(folder).as_posix() for path in folder.rglob("*.md"))
+
+
+TRANSLATED = pages_of("en")
 
 
 def table_rows(text: str) -> Iterator[list[str]]:
@@ -62,19 +70,21 @@ def test_links_lead_somewhere(page: Path) -> None:
 
 @every_language
 def test_the_contents_name_every_page(language: str) -> None:
-    index = text_of(DOCS / language / "index.md")
+    """Those of a folder are named on the page that is called like the folder."""
     for name in TRANSLATED:
         other = next(each for each in LANGUAGES if each != language)
         page = text_of(DOCS / language / name)
-        assert name == "index.md" or f"({name})" in index
-        assert f"(../{other}/{name})" in page, f"{name} does not lead to its translation"
+        above = name.rpartition("/")[0] or "index"
+        assert name == "index.md" or f"({name})" in text_of(DOCS / language / f"{above}.md")
+        up = "../" * (name.count("/") + 1)
+        assert f"({up}{other}/{name})" in page, f"{name} does not lead to its translation"
 
 
 # ---- two languages ----
 
 
 def test_both_languages_have_the_same_pages() -> None:
-    assert [path.name for path in sorted((DOCS / "es").glob("*.md"))] == TRANSLATED
+    assert pages_of("es") == TRANSLATED
 
 
 def without_comments(block: Block) -> str:
@@ -110,19 +120,40 @@ def test_both_languages_have_the_same_shape(name: str) -> None:
 # ---- tables that have to be what the program is ----
 
 
+def facts(method: Method) -> str:
+    """Of a method, as the tables say them."""
+    return (
+        f"{method.order} | {method.evaluations_per_step or 'iterated'} | "
+        f"{'adaptive' if method.adaptive else 'fixed'} | {'yes' if method.symplectic else 'no'} | "
+        f"{','.join(method.systems)}"
+    )
+
+
 @every_language
 def test_the_table_of_methods_is_the_catalogue(language: str) -> None:
     rows = [
-        f"| {each.name} | {each.order} | {each.evaluations_per_step} | "
-        f"{'adaptive' if each.adaptive else 'fixed'} | {'yes' if each.symplectic else 'no'} | "
-        f"{','.join(each.systems)} | {each.source} |"
+        f"| [{each.name}](methods/{each.name}.md) | {facts(each)} | {each.source} |"
         for each in pendula.methods()
     ]
     text = text_of(DOCS / language / "methods.md")
     table = re.findall(r"^\| .* \|$", text.partition("| --- |")[2].partition("\n\n")[0], re.M)
     assert table == rows, "its rows have to be\n" + "\n".join(rows)
-    for each in pendula.methods():
-        assert f"\n## {each.name}\n" in text, f"nothing is said about {each.name}"
+
+
+@every_language
+@pytest.mark.parametrize("method", pendula.methods(), ids=lambda each: each.name)
+def test_every_method_has_a_page(language: str, method: Method) -> None:
+    """With its order and the rest of the table, its source, and how the method is used."""
+    text = text_of(DOCS / language / "methods" / f"{method.name}.md")
+    assert text.startswith(f"# {method.name}\n")
+    assert f"\n| {facts(method)} |\n" in text
+    assert f": {method.source}. " in " ".join(text.split())
+    assert f'"{method.name}"' in text.partition("```python")[2]
+
+
+def test_no_page_is_about_a_method_that_is_gone() -> None:
+    told = [Path(name).stem for name in TRANSLATED if name.startswith("methods/")]
+    assert told == sorted(each.name for each in pendula.methods())
 
 
 @every_language

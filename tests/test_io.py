@@ -1,7 +1,10 @@
 import json
+import math
 import os
+import re
 import subprocess
 import sys
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -9,7 +12,9 @@ import pytest
 
 import pendula
 from pendula import DoublePendulum, LinearPendulum, SimplePendulum, Trajectory, exact, solve
+from pendula.events import angle, flip, tip_height, velocity_zero
 from pendula.io import files
+from pendula.io.recipe import attributes
 from pendula.io.writing import replacing
 
 RUNS = {
@@ -29,6 +34,17 @@ RUNS = {
     "no time": lambda: solve(SimplePendulum(), (1, 0), [0.5, 1], "rk4", step=0.1, max_steps=3),
     "blown up": lambda: solve(
         DoublePendulum.rods(), (2, 1, 0, 0), np.arange(1.0, 50.0), "euler", step=1
+    ),
+    "taylor": lambda: solve(DoublePendulum.rods(), (2, 2.5, 0, 0), 3.0),
+    "taylor times": lambda: solve(
+        SimplePendulum(), (1, 0), [-0.5, -1.0], t0=0.25, tolerance=1e-9, max_steps=10**6
+    ),
+    "taylor limited": lambda: solve(SimplePendulum(), (1, 0), [0.2, 9.0], max_steps=3),
+    "events": lambda: solve(
+        DoublePendulum.rods(),
+        (2, 2.5, 0, 0),
+        np.linspace(0, 20, 51),
+        events=[flip(1), angle(2, -0.1, 1), velocity_zero(2), tip_height(-0.7, -1, 9)],
     ),
     "exact": lambda: exact(SimplePendulum(0.3), (2.9, 0), np.linspace(0, 9, 40), t0=0.5),
     "linear": lambda: exact(LinearPendulum(0.3), (0.1, 0.7), [5.0, 1.0]),
@@ -53,6 +69,14 @@ def same(a: Trajectory, b: Trajectory) -> None:
         b.request.t0, b.request.step, b.request.max_steps,
     )  # fmt: skip
     assert np.asarray(a.request.t).tolist() == np.asarray(b.request.t).tolist()
+    for name in ("tolerance", "events", "certify", "digits"):
+        assert getattr(a.request, name) == getattr(b.request, name)
+    assert (a.trust_horizon, a.precision) == (b.trust_horizon, b.precision)
+    assert len(a.events) == len(b.events)
+    for one, other in zip(a.events, b.events, strict=True):
+        assert one.times.tobytes() == other.times.tobytes()
+        assert one.states.tobytes() == other.states.tobytes()
+        assert one.states.shape == other.states.shape
 
 
 @every_run
@@ -63,6 +87,50 @@ def test_a_file_holds_the_run_and_runs_again(run, ending: str, tmp_path: Path) -
     same(pendula.load(path), trajectory)
     same(pendula.rerun(path), trajectory)
     assert [each.name for each in tmp_path.iterdir()] == [path.name]
+
+
+@every_format
+def test_dense_output_comes_back_with_a_file(ending: str, tmp_path: Path) -> None:
+    run = RUNS["events"]()
+    assert run.outcome == "event"
+    run.save(tmp_path / f"run{ending}")
+    t = np.linspace(run.t[-1], 0.0, 33)
+    assert pendula.load(tmp_path / f"run{ending}").at(t).tobytes() == run.at(t).tobytes()
+
+
+@every_format
+@pytest.mark.parametrize("horizon", [math.inf, 1.25, None])
+def test_what_a_run_is_trusted_to_comes_back(
+    ending: str, horizon: float | None, tmp_path: Path
+) -> None:
+    """As JSON that any reader takes: it has no infinity."""
+    plain = RUNS["taylor"]()
+    asked = replace(plain.request, certify=horizon and 1e-9)
+    run = replace(
+        plain, request=asked, trust_horizon=horizon, precision=None if horizon is None else 75
+    )
+    run.save(tmp_path / f"run{ending}")
+    same(pendula.load(tmp_path / f"run{ending}"), run)
+    assert not {"Infinity", "NaN"} & set(re.findall(r"\w+", attributes(run)))
+
+
+@pytest.mark.parametrize("asked", [{"certify": 1e-9}, {"digits": 9}])
+def test_a_trusted_run_is_asked_for_again(
+    asked: dict[str, float], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    given = []
+
+    def solve_again(*arguments: object, **options: object) -> None:
+        given.append(options)
+
+    run = RUNS["taylor"]()
+    tolerance = None if "digits" in asked else run.request.tolerance
+    request = replace(run.request, **asked, tolerance=tolerance)  # type: ignore[arg-type]
+    replace(run, request=request).save(tmp_path / "run.csv")
+    monkeypatch.setattr("pendula.solving.solve", solve_again)
+    pendula.rerun(tmp_path / "run.csv")
+    assert given[0]["tolerance"] == tolerance
+    assert {name: given[0][name] for name in asked} == asked
 
 
 @every_format

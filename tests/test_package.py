@@ -19,15 +19,35 @@ def imported_by(statement: str) -> set[str]:
 
 
 @pytest.mark.parametrize(
-    "statement", ["import pendula", "import pendula; pendula.SimplePendulum(1)"]
+    "statement", ["import pendula", "from pendula.systems import SimplePendulum; SimplePendulum(1)"]
 )
 def test_describing_a_pendulum_imports_nothing_heavy(statement: str) -> None:
     assert not imported_by(statement) & {"numpy", "matplotlib", "xarray", "pandas", "pint", "rich"}
 
 
+@pytest.mark.parametrize(
+    ("prepared", "call"),
+    [
+        ("import pendula; rods = pendula.DoublePendulum.rods()", "pendula.solve"),
+        ("from pendula import DoublePendulum, solve; rods = DoublePendulum.rods()", "solve"),
+    ],
+)
+@pytest.mark.parametrize("options", ["", ", 'rk4', step=0.001", ", certify=1e-9", ", digits=9"])
+def test_no_run_waits_for_an_import(prepared: str, call: str, options: str) -> None:
+    """The first solution in a new process is there at once: the names brought what it needs."""
+    code = (
+        f"import sys; {prepared}; before = set(sys.modules)\n"
+        f"run = {call}(rods, (2, 2.5, 0, 0), 0.01{options})\n"
+        "run.at(0.005) if not run.request.step and not run.request.digits else None\n"
+        "new = set(sys.modules) - before\n"
+        "assert not new, new"
+    )
+    subprocess.run([sys.executable, "-c", code], check=True)
+
+
 def test_solving_imports_numpy_alone() -> None:
     heavy = imported_by(
-        "import pendula; pendula.solve(pendula.SimplePendulum(), (1, 0), 1, 'rk4', step=1)"
+        "import pendula; pendula.solve(pendula.SimplePendulum(), (1, 0), 1, events=[])"
     )
     assert "numpy" in heavy
     assert not heavy & {"matplotlib", "xarray", "pandas", "pint", "rich", "scipy"}

@@ -22,7 +22,7 @@ from pendula import (
     plot,
     solve,
 )
-from pendula.analysis import agm_iterations, convergence_order, series_terms
+from pendula.analysis import agm_iterations, convergence_order, series_terms, work_precision
 from pendula.plot.labels import LANGUAGES, labels
 from pendula.plot.style import line
 
@@ -40,6 +40,11 @@ def _runs(system: System, state: tuple[float, ...], first: str) -> dict[str, Tra
     reference = exact(system, state, T) if first == "exact" else None
     runs = {m: solve(system, state, T, m, step=0.02) for m in ("euler", "heun", "rk4")}
     return {first: reference or solve(system, state, T, "rk4", step=0.001), **runs}
+
+
+WORK = [
+    work_precision(each, start, 0.7, points=3) for each, start in ((SIMPLE, LARGE), (RODS, START))
+]
 
 
 def _figures(language: str) -> dict[str, Figure]:
@@ -63,6 +68,8 @@ def _figures(language: str) -> dict[str, Figure]:
         "periods": plot.periods(
             amplitudes, amplitudes + 1, {1: amplitudes, 2: amplitudes}, **words
         ),
+        "work": plot.work_precision(WORK, ["a", "b"], **words),
+        "work2": plot.work_precision(WORK, against=["evaluations"], **words),
         "portrait": plot.phase_portrait(SIMPLE, (0.1, 2.6), **words),
         "cost": plot.elliptic_cost(kc, series_terms(kc, 1e-9), agm_iterations(kc, 1e-9), **words),
         "run": plot.trajectory(simple["exact"], **words),

@@ -22,7 +22,11 @@ import pytest
 
 ROOT = Path(__file__).resolve().parent.parent
 # The Spanish pages have the same code, as test_docs says.
-PAGES = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *sorted((ROOT / "docs" / "en").glob("*.md"))]
+PAGES = [
+    ROOT / "README.md",
+    ROOT / "CONTRIBUTING.md",
+    *sorted((ROOT / "docs" / "en").rglob("*.md")),
+]
 BLOCK = re.compile(r"^```(\w*)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 LANGUAGES = {"console", "cpp", "diff", "python", "text", "toml"}
 

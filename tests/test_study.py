@@ -32,6 +32,9 @@ amplitudes = ["5 deg", "90 deg"]
 largest_terms = 20000
 [convergence]
 steps = ["8 ms", "4 ms", "2 ms", "1 ms", "0.5 ms", "0.25 ms"]
+[work]
+swings = 2
+points = 6
 [double]
 l2 = "80 cm"
 theta2 = "2.5 rad"
@@ -110,7 +113,7 @@ def test_everything_is_written_and_nothing_else(study: tuple[Path, str]) -> None
     assert {p.name for p in folder.iterdir()} == {
         "report.html", "report.pdf", "figures", "data", "recipe.toml",
     }  # fmt: skip
-    assert len(_files(folder, "figures/*.svg")) == len(list((folder / "figures").iterdir())) == 13
+    assert len(_files(folder, "figures/*.svg")) == len(list((folder / "figures").iterdir())) == 14
     assert (folder / "report.pdf").read_bytes().startswith(b"%PDF-")
 
 
@@ -126,7 +129,7 @@ def test_the_page_needs_nothing_else(study: tuple[Path, str]) -> None:
     source = (study[0] / "report.html").read_text(encoding="utf-8")
     assert "@import" not in source
     assert "url(" not in source
-    assert page.tags.count("img") == 13
+    assert page.tags.count("img") == 14
 
 
 def test_formulas_and_figures_are_numbered_in_the_language(study: tuple[Path, str]) -> None:
@@ -135,9 +138,9 @@ def test_formulas_and_figures_are_numbered_in_the_language(study: tuple[Path, st
     for number in range(1, 20):
         assert f"({number})" in text
     figure, table = {"en": ("Figure", "Table"), "es": ("Figura", "Tabla")}[language]
-    for number in range(1, 14):
+    for number in range(1, 15):
         assert f"{figure} {number}" in text or f"{figure}\N{NO-BREAK SPACE}{number}" in text
-    for number in range(1, 10):
+    for number in range(1, 11):
         assert f"{table} {number}" in text or f"{table}\N{NO-BREAK SPACE}{number}" in text
 
 
@@ -183,7 +186,7 @@ def test_data_have_units_and_read_back_exactly(study: tuple[Path, str]) -> None:
 
 
 def test_every_column_says_its_unit_and_counts_well(study: tuple[Path, str]) -> None:
-    words = {"system", "method"}
+    words = {"system", "method", "outcome"}
     for path in sorted((study[0] / "data").glob("*.csv")):
         for column in _table(study[0], path.stem):
             assert column in words or re.search(r" \[(1|s|rad|rad/s|J)\]$", column), path.name
@@ -234,6 +237,16 @@ def test_orders_are_measured(study: tuple[Path, str]) -> None:
         assert float(order) == pytest.approx(theory[method], abs=0.1)
 
 
+def test_the_report_says_what_precision_costs(study: tuple[Path, str]) -> None:
+    text = " ".join(" ".join(_page(study[0]).text).split())
+    told = {
+        "en": "For the double pendulum Taylor gets there with the fewest evaluations, about ",
+        "es": "En el péndulo doble el que llega con menos evaluaciones es Taylor, con unas ",
+    }[study[1]]
+    assert told in text
+    assert "pendula compare" in text
+
+
 def test_parting_times_are_where_the_differences_pass_the_tolerance(
     study: tuple[Path, str],
 ) -> None:
@@ -274,7 +287,7 @@ def test_the_written_recipe_gives_the_same_again(studies: Studies, tmp_path: Pat
 
 def test_the_language_changes_no_number(studies: Studies) -> None:
     english, spanish = (_files(studies[0] / language, "data/*.csv") for language in LANGUAGES)
-    assert len(english) == 12
+    assert len(english) == 14
     assert english == spanish
 
 

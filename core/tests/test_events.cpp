@@ -85,7 +85,7 @@ BOOST_AUTO_TEST_CASE(times_are_right_to_the_last_digits) {
 
 // The motion comes up to 1 and goes back: it passes 1 − 1e-12 twice within 3e-6, and 1 + 1e-12 never.
 BOOST_AUTO_TEST_CASE(a_grazing_passage_is_two_crossings) {
-  const double half_width = 1.4142136e-6;  // cos x = 1 − x²/2
+  const double half_width = 1.4142136e-6;                                                  // cos x = 1 − x²/2
   const auto events = events_of<linear_pendulum>({0.0, 1.0}, 3.0, {passes(1.0 - 1e-12)});  // sin t
   BOOST_TEST_REQUIRE(events.size() == 2u);
   BOOST_TEST(std::fabs(events[0].time - (0.5 * pi - half_width)) < 1e-9);
@@ -121,8 +121,7 @@ BOOST_AUTO_TEST_CASE(a_rotation_flips_once_a_turn) {
 
 BOOST_AUTO_TEST_CASE(the_height_of_the_tip_has_its_events) {
   // linear pendulum: θ = cos t, height −cos θ; −cos(0.5) at θ = ±0.5
-  const auto events =
-      events_of<linear_pendulum>({1.0, 0.0}, 4.0, {{event_kind::tip_height, 0, -0.8775825618903728}});
+  const auto events = events_of<linear_pendulum>({1.0, 0.0}, 4.0, {{event_kind::tip_height, 0, -0.8775825618903728}});
   BOOST_TEST_REQUIRE(events.size() == 2u);
   BOOST_TEST(std::fabs(events[0].time - pi / 3) < 1e-15);
   BOOST_TEST(std::fabs(events[1].time - 2 * pi / 3) < 1e-15);
@@ -140,7 +139,8 @@ BOOST_AUTO_TEST_CASE(the_last_event_asked_for_ends_the_run) {
 BOOST_AUTO_TEST_CASE(crossings_at_the_ends_of_steps_are_told_once) {
   for (int n = 0; n < 400; ++n) {
     const double tolerance = -10.0 - 0.1 * n;
-    const auto events = events_of<simple_pendulum>({0.001 * n, 1.0}, 30.0, {passes(0.001 * n)}, "reached_end", tolerance);
+    const auto events =
+        events_of<simple_pendulum>({0.001 * n, 1.0}, 30.0, {passes(0.001 * n)}, "reached_end", tolerance);
     double last = 0.0;
     for (const auto& each : events) {
       BOOST_TEST(each.time > last + 1e-3);

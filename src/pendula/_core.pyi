@@ -39,9 +39,33 @@ def positions(description: Description, states: Annotated[NDArray[numpy.float64]
 def constants(description: Description) -> dict[str, float]:
     """The constants that the equations of motion are written in."""
 
-def solve_fixed(description: Description, method: str, state: Sequence[float], t0: float, step: float, step_limit: int, times: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], own_steps: bool, progress: object | None) -> tuple[NDArray[numpy.float64], NDArray[numpy.float64], int, str, int]:
+def solve_fixed(description: Description, method: str, state: Sequence[float], t0: float, step: float, step_limit: int, times: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], own_steps: bool, progress: object | None) -> tuple[NDArray[numpy.float64], NDArray[numpy.float64], int, str, int, int]:
     """
-    Times, states, how many of both were reached, how the run ended, and steps taken. `step` is negative for a run backward; with own_steps the one time is the end.
+    Times, states, how many of both were reached, how the run ended, steps taken and evaluations. `step` is negative for a run backward; with own_steps the one time is the end.
+    """
+
+class DenseOutput:
+    """The motion inside the steps of a run that was made."""
+
+    def at(self, times: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)]) -> NDArray[numpy.float64]:
+        """States (n, d) at times (n,) in the direction of the run."""
+
+def solve_adaptive(description: Description, method: str, state: Sequence[float], t0: float, end: float, log2_of_tolerance: float, step_limit: int, times: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)] | None, events: Sequence[tuple[Any, ...]], progress: object | None) -> tuple[Any, ...]:
+    """
+    Times, states, how the run ended, steps, evaluations, (times, states) of each event, and the dense output. Without times the outputs are the steps'.
+    """
+
+def trust_horizon(description: Description, method: str, state: Sequence[float], t0: float, end: float, step: float, log2_of_tolerance: float, certify: float, progress: object | None) -> float:
+    """
+    First time at which an angle of the run is off by more than `certify`, or infinity. `step` is negative for a run backward, and 0 for an adaptive method.
+    """
+
+def long_run_digits() -> list[int]:
+    """Decimal digits of the levels of `long_run`."""
+
+def long_run(description: Description, level: int, state: Sequence[float], t0: float, times: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], progress: object | None) -> tuple[NDArray[numpy.float64], str]:
+    """
+    States (n, d, 2) at times (n,), which follow one another from t0 on, as heads and tails, and how it ended.
     """
 
 largest_start_angle: float = 1125899906842624.0

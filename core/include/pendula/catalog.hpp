@@ -25,8 +25,8 @@
 namespace pendula {
 
 using systems = std::tuple<linear_pendulum, simple_pendulum, double_pendulum>;
-using fixed_methods = std::tuple<euler, heun, rk4, symplectic_euler, verlet, yoshida4, yoshida6, yoshida8, midpoint, gauss4,
-                           gauss6, gauss8>;
+using fixed_methods = std::tuple<euler, heun, rk4, symplectic_euler, verlet, yoshida4, yoshida6, yoshida8, midpoint,
+                                 gauss4, gauss6, gauss8>;
 using adaptive_methods = std::tuple<dop853, taylor>;
 using methods = decltype(std::tuple_cat(fixed_methods{}, adaptive_methods{}));
 

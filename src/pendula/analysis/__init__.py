@@ -4,9 +4,13 @@ from pendula.analysis.convergence import ConvergenceOrder, convergence_order
 from pendula.analysis.difference import angle_difference, parting_time
 from pendula.analysis.elliptic_cost import agm_iterations, series_terms
 from pendula.analysis.linear_model import linear_model_error, period_limit, small_angle_limit
+from pendula.analysis.method_work import MethodWork, WorkPrecision
+from pendula.analysis.work_precision import time_scale, work_precision
 
 __all__ = [
     "ConvergenceOrder",
+    "MethodWork",
+    "WorkPrecision",
     "agm_iterations",
     "angle_difference",
     "convergence_order",
@@ -15,4 +19,6 @@ __all__ = [
     "period_limit",
     "series_terms",
     "small_angle_limit",
+    "time_scale",
+    "work_precision",
 ]

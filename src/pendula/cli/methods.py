@@ -11,15 +11,25 @@ from pendula.cli.tables import table
 @click.command("methods")
 def command() -> None:
     """List the methods that `solve` takes."""
-    header = ("name", "order", "evaluations/step", "step", "symplectic", "systems", "source")
+    header = (
+        "name",
+        "order",
+        "kind",
+        "symplectic",
+        "dense output",
+        "systems",
+        "evaluations/step",
+        "source",
+    )
     rows = [
         (
             each.name,
             str(each.order),
-            str(each.evaluations_per_step),
             "adaptive" if each.adaptive else "fixed",
             "yes" if each.symplectic else "no",
+            "yes" if each.adaptive else "no",
             ",".join(each.systems),
+            str(each.evaluations_per_step or "iterated"),
             each.source,
         )
         for each in _engine.methods()

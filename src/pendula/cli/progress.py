@@ -3,13 +3,17 @@
 from __future__ import annotations
 
 import sys
-from contextlib import contextmanager
+import time
+from contextlib import ExitStack, contextmanager
 from typing import TYPE_CHECKING
 
 import click
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
+
+
+_MOMENT = 0.7  # seconds
 
 
 @contextmanager
@@ -25,6 +29,25 @@ def progress_bar() -> Iterator[Callable[[str, float], None]]:
     with Progress(*columns, console=Console(stderr=True), transient=True) as bar:
         task = bar.add_task("", total=1.0)
         yield lambda label, share: bar.update(task, description=label, completed=share)
+
+
+@contextmanager
+def late_bar(label: str) -> Iterator[Callable[[float], None] | None]:
+    """A bar, on a terminal, for work that may take long: it is shown once it does."""
+    if not sys.stderr.isatty():
+        yield None
+        return
+    start, shown = time.monotonic(), None
+    with ExitStack() as stack:
+
+        def progress(share: float) -> None:
+            nonlocal shown
+            if shown is None and time.monotonic() - start > _MOMENT:
+                shown = stack.enter_context(progress_bar())
+            if shown is not None:
+                shown(label, share)
+
+        yield progress
 
 
 def _lines() -> Callable[[str, float], None]:

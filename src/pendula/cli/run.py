@@ -20,7 +20,10 @@ if TYPE_CHECKING:
     Array = NDArray[np.float64]
 
 _ON_GRID = 1e-9  # of a spacing: an end nearer to the grid lies on it
-_GREW = "the numbers grew beyond all bounds; take a smaller --step or a higher order"
+_BEYOND = "the numbers grew beyond all bounds"
+_GREW = f"{_BEYOND}; take a smaller --step or a higher order"
+_DID_NOT_SETTLE = "its equations did not settle on a step; take a smaller --step"
+_TOO_MANY = "its own steps are too many to put out; name the time between outputs with --every"
 _OUT_OF_RANGE = "an angle left the range of the sine (2^26 rad)"
 
 
@@ -128,41 +131,51 @@ def check_outcome(run: Trajectory, until: float) -> None:
     Raises:
         click.ClickException: saying when, why, and what to do.
     """
-    if run.outcome != "reached_end":
-        last = f"{run.t[-1]:.6g}" if run.t.size else f"{run.request.t0:g}"
+    if run.outcome not in ("reached_end", "event"):
+        asked = run.request
+        last = f"{run.t[-1]:.6g}" if run.t.size else f"{asked.t0:g}"
+        step = f" with step {asked.step:g} s" if asked.step else ""
         raise click.ClickException(
-            f"{run.method} stopped after t = {last} s of {until:g} s "
-            f"with step {run.request.step:g} s: {_why(run, until)}"
+            f"{run.method} stopped after t = {last} s of {until:g} s{step}: {_why(run, until)}"
         )
 
 
 def _why(run: Trajectory, until: float) -> str:
-    """What ended a run: an angle as large as its speed makes it, or a method that blew up."""
+    """What ended a run: a method that blew up or did not settle, or an angle grown with speed."""
     if run.outcome != "not_finite":
-        return run.outcome
+        return _TOO_MANY
     import numpy as np
 
     from pendula.systems import LinearPendulum
 
-    if isinstance(run.system, LinearPendulum):  # takes no sine
-        return _GREW
     last, t = (run.states[-1], run.t[-1]) if run.t.size else (run.request.state, run.request.t0)
     angles, speeds = np.split(np.abs(last), 2)
     with np.errstate(over="ignore", invalid="ignore"):
         turned = (angles + speeds * abs(until - t) >= _engine.LARGEST_ANGLE).any()
         grew = (np.abs(run.energy_error) > 1.0).any()
-    return _OUT_OF_RANGE if turned and not grew else _GREW
+    if turned and not grew and not isinstance(run.system, LinearPendulum):  # which takes no sine
+        return _OUT_OF_RANGE
+    if run.request.step is None:
+        return _BEYOND
+    if grew:
+        return _GREW
+    iterated = {each.name for each in _engine.methods() if each.evaluations_per_step is None}
+    return _DID_NOT_SETTLE if run.method in iterated else _GREW
 
 
 def deliver(run: Trajectory, out: Path | None, *, force: bool, every_row: bool = False) -> None:
     """Write a run, or print some of its rows."""
     import numpy as np
 
+    from pendula.cli.events import found
     from pendula.cli.tables import show, summary
 
     with np.errstate(over="ignore", invalid="ignore"):  # of energies: the numbers tell it better
         if out is None:
             show(run, every_row=every_row)
-            return
-        run.save(out, overwrite=force)
-        click.echo(f"{out}: {len(run.t)} times; {summary(run)}")
+        else:
+            run.save(out, overwrite=force)
+        written = "" if out is None else f"{out}: {len(run.t)} times; "
+        click.echo(f"{written}{summary(run)}")
+        if run.request.events:
+            click.echo(f"\n{found(run, every_row=every_row)}")

@@ -3,17 +3,15 @@
 from __future__ import annotations
 
 import math
-import sys
-from contextlib import nullcontext
-from functools import partial
 from typing import TYPE_CHECKING, Any
 
 import click
 
 from pendula import _engine
+from pendula.cli.events import EXAMPLES, event_of
 from pendula.cli.groups import all_systems, one_each
 from pendula.cli.options import start_of, start_options, system_of, system_options, value
-from pendula.cli.progress import progress_bar
+from pendula.cli.progress import late_bar
 from pendula.cli.run import (
     check_count,
     check_outcome,
@@ -34,7 +32,7 @@ if TYPE_CHECKING:
     from pendula._engine import SystemEntry
 
 _SHOWN = 20_000  # most outputs of a run that is only printed
-_LONG = 10**7  # steps: a second or so
+_STANDARD = "taylor"
 
 
 def _options(entry: SystemEntry) -> list[click.Parameter]:
@@ -45,11 +43,35 @@ def _options(entry: SystemEntry) -> list[click.Parameter]:
         start_time(),
         value("until", "time of the end", required=True),
         click.Option(
-            ["--method"], type=click.Choice(names), required=True, help="see `pendula methods`"
+            ["--method"],
+            type=click.Choice(names),
+            default=_STANDARD,
+            show_default=True,
+            help="see `pendula methods`",
         ),
-        value("step", "of the method, such as 1ms", required=True),
+        value("step", "of a method with a fixed step, such as 1ms [needed by it]"),
+        value("tolerance", "of an adaptive method, 1e-3 or less [its best]"),
         value("every", "time between outputs [each step]"),
+        *_trust_options(),
+        click.Option(
+            ["events", "--event"],
+            multiple=True,
+            metavar="WORDS",
+            help=f"look for {EXAMPLES}; may be given several times",
+        ),
         *file_options(),
+    ]
+
+
+def _trust_options() -> list[click.Parameter]:
+    return [
+        value("certify", "also find until when the angles are right to this, such as 1e-9"),
+        click.Option(
+            ["--digits"],
+            type=int,
+            metavar="N",
+            help="right digits of every output, 1 to 15, however chaotic the motion",
+        ),
     ]
 
 
@@ -59,33 +81,44 @@ def _solve(entry: SystemEntry, **given: Any) -> None:
 
     system, start = system_of(entry, given), start_of(entry, given)
     t0, until = seconds(given["t0"], "--t0"), seconds(given["until"], "--until")
-    step = positive_number("--step", seconds(given["step"], "--step"), "s")
+    method, step = given["method"], None
+    if given["step"] is not None:
+        step = positive_number("--step", seconds(given["step"], "--step"), "s")
+    asked: dict[str, Any] = {
+        "tolerance": _number(given["tolerance"], "", "--tolerance"),
+        "certify": _number(given["certify"], "rad", "--certify"),
+        "digits": given["digits"],
+        "events": [event_of(words) for words in given["events"]],
+    }
     out = target(given["out"], force=given["force"])
     times = _times(t0, until, step, given["every"], thin=out is None)
-    with progress_bar() if _is_long(abs(until - t0) / step) else nullcontext() as told:
-        progress = None if told is None else partial(told, given["method"])
-        run = solve(system, start, times, given["method"], t0=t0, step=step, progress=progress)
+    with late_bar(method) as progress:
+        run = solve(system, start, times, method, t0=t0, step=step, progress=progress, **asked)
     check_outcome(run, until)
     deliver(run, out, force=given["force"])
 
 
-def _is_long(steps: float) -> bool:
-    return steps >= _LONG and sys.stderr.isatty()
+def _number(text: str | None, unit: str, name: str) -> float | None:
+    from pendula.units import quantity
+
+    return None if text is None else quantity(text, unit, name)
 
 
 def _times(
-    t0: float, until: float, step: float, every: str | None, *, thin: bool
+    t0: float, until: float, step: float | None, every: str | None, *, thin: bool
 ) -> float | NDArray[np.float64]:
     """The outputs asked for; without --every each step, or of a printed run every so many steps."""
-    from pendula.solving import MOST_STEPS
+    from pendula._arguments import MOST_STEPS
 
     span = span_of(t0, until)
-    if span / step > MOST_STEPS:
+    if step is not None and span / step > MOST_STEPS:
         raise ValueError(f"--step must be larger for a span of {span!r} s, got {step!r} s")
     if every is not None:
         apart = spacing(every, span)
         check_count(span, apart, "--every")
         return spaced(t0, until, apart)
+    if step is None:
+        return until
     if thin and span / step > _SHOWN:
         return spaced(t0, until, step * math.ceil(span / step / _SHOWN))
     check_count(span, step, "--step")

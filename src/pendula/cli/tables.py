@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import shutil
 import sys
 from typing import TYPE_CHECKING
@@ -35,22 +36,33 @@ def table(header: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
 
 
 def show(run: Trajectory, *, every_row: bool = False) -> None:
-    """Print a run: some of its rows (or all), its angles as curves, and one line of summary."""
+    """Print a run: some of its rows (or all), and its angles as curves."""
     click.echo(_rows_of(run, every_row=every_row))
     if len(run.t) >= _ENOUGH_FOR_A_CURVE and _can_print("⣿"):
         _curves(run)
-    click.echo(summary(run))
 
 
 def summary(run: Trajectory) -> str:
-    """How a run was made and how it ended."""
-    error = f"largest relative energy error at these times {largest_energy_error(run):.2g}"
+    """How a run was made, how it ended, and until when it is right."""
+    asked, error = run.request, "no outputs"
+    if run.t.size:
+        error = f"largest relative energy error at these times {largest_energy_error(run):.2g}"
     if run.method == "exact":
         return f"exact: {len(run.t)} times, {error}"
-    return (
-        f"{run.method}, step {run.request.step:g} s: {run.n_steps} steps, "
-        f"{run.n_evaluations} evaluations, {run.outcome}, {error}"
-    )
+    if asked.digits is not None:
+        return (
+            f"{run.method}, right to {asked.digits} digits: computed with {run.precision} digits, "
+            f"{run.outcome}, {error}"
+        )
+    chosen = f"step {asked.step:g} s" if asked.step else f"tolerance {asked.tolerance:.3g}"
+    lines = [
+        f"{run.method}, {chosen}: {run.n_steps} steps, {run.n_evaluations} evaluations, "
+        f"{run.outcome}, {error}"
+    ]
+    if run.trust_horizon is not None:
+        until = "throughout" if math.isinf(run.trust_horizon) else f"until {run.trust_horizon:g} s"
+        lines.append(f"right to {asked.certify:g} rad {until}")
+    return "\n".join(lines)
 
 
 def largest_energy_error(run: Trajectory) -> float:
@@ -61,15 +73,9 @@ def largest_energy_error(run: Trajectory) -> float:
 
 
 def _rows_of(run: Trajectory, *, every_row: bool) -> str:
-    import numpy as np
-
     components = _engine.system_entries()[run.system.name].components
     header = ["t [s]", *(f"{row.name} [{row.unit}]" for row in components), "(E-E0)/E0"]
-    digits = 24 // len(components) + 1  # four columns fit into 80 characters, too
-    count = len(run.t)
-    chosen = np.arange(count)
-    if not every_row and count > ROWS:
-        chosen = np.linspace(0, count - 1, ROWS).round().astype(int)
+    digits = digits_of(len(components))
     energy_error = run.energy_error
     rows = [
         [
@@ -77,9 +83,21 @@ def _rows_of(run: Trajectory, *, every_row: bool) -> str:
             *(f"{component:.{digits}g}" for component in run.states[i]),
             f"{energy_error[i]:.1e}",
         ]
-        for i in chosen
+        for i in chosen_rows(len(run.t), every_row=every_row)
     ]
     return table(header, rows)
+
+
+def digits_of(columns: int) -> int:
+    """To which numbers are printed: four columns of them fit into 80 characters, too."""
+    return 24 // columns + 1
+
+
+def chosen_rows(count: int, *, every_row: bool = False) -> list[int]:
+    """Which of so many rows are printed."""
+    if every_row or count <= ROWS:
+        return list(range(count))
+    return [round(i * (count - 1) / (ROWS - 1)) for i in range(ROWS)]
 
 
 def _curves(run: Trajectory) -> None:

@@ -8,8 +8,19 @@ import click
 
 from pendula import _engine
 
-_OTHER_NAMES = {"t": "the time", "state": "the start", "step": "--step", "amplitude": "--amplitude"}
+_OTHER_NAMES = {
+    "t": "the time",
+    "state": "the start",
+    "i": "the rod of an --event",
+    "method": "--methods",
+    **{
+        name: f"--{name}"
+        for name in ("step", "tolerance", "certify", "digits", "amplitude", "until", "points")
+    },
+}
 _CALLS = {  # what Python would be told to write
+    "give step=0.001 [s], say": "give --step 1ms, say",
+    "take digits=12, say": "take --digits 12, say",
     "give state=(theta0, omega0)": "give --theta and --omega",
     "use solve": "use pendula solve",
     "overwrite=True": "--force",
@@ -34,7 +45,7 @@ def one_line(error: Exception) -> str:
 def _with_option_names(message: str) -> str:
     """`length must be …` is told as `--length must be …`."""
     name, rest = re.fullmatch(r"(\w*)(.*)", message, re.DOTALL).groups()  # type: ignore[union-attr]
-    if rest.startswith((" must ", " is ", " = ")):
+    if rest.startswith((" must ", " is ", " = ", " needs ")):
         option = f"--{name}" if name in _option_names() else name
         message = _OTHER_NAMES.get(name, option) + rest
     return message

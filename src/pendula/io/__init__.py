@@ -90,6 +90,10 @@ def rerun(path: str | PathLike[str]) -> Trajectory:
         t0=asked.t0,
         step=asked.step,
         max_steps=asked.max_steps,
+        tolerance=asked.tolerance,
+        events=asked.events,
+        certify=asked.certify,
+        digits=asked.digits,
     )
 
 

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import json
+import math
 from typing import TYPE_CHECKING, Any
 
 from pendula import __version__
 from pendula._checks import one_of
 from pendula._engine import methods
+from pendula.events import Crossings, described, event_from
 from pendula.systems import system_from
 from pendula.trajectory import Request, Trajectory
 
@@ -37,12 +39,28 @@ def attributes(trajectory: Trajectory) -> str:
             "t0": asked.t0,
             "step": asked.step,
             "max_steps": asked.max_steps,
+            "tolerance": asked.tolerance,
+            "events": [described(each) for each in asked.events],
+            "certify": asked.certify,
+            "digits": asked.digits,
             "outcome": trajectory.outcome,
             "n_steps": trajectory.n_steps,
             "n_evaluations": trajectory.n_evaluations,
+            "crossings": [
+                {"times": each.times.tolist(), "states": each.states.tolist()}
+                for each in trajectory.events
+            ],
+            "trust_horizon": _horizon(trajectory),
+            "precision": trajectory.precision,
         },
         ensure_ascii=True,
+        allow_nan=False,
     )
+
+
+def _horizon(trajectory: Trajectory) -> float | str | None:
+    """JSON has no infinity."""
+    return "inf" if trajectory.trust_horizon == math.inf else trajectory.trust_horizon
 
 
 def _asked_times(trajectory: Trajectory) -> float | list[float] | None:
@@ -67,13 +85,36 @@ def from_attributes(text: str, t: Array, states: Array, source: Path) -> Traject
         state = np.array(known["state"], dtype=np.float64)
         asked = t if known["t"] is None else known["t"]
         times = asked if isinstance(asked, float) else np.array(asked, dtype=np.float64)
-        request = Request(state, times, known["t0"], known["step"], known["max_steps"])
+        told = {name: known.get(name) for name in ("tolerance", "certify", "digits")}
+        events = tuple(map(event_from, known.get("events", ())))
+        steps = known["step"], known["max_steps"]
+        request = Request(state, times, known["t0"], *steps, events=events, **told)
         method = one_of("method", known["method"], ("exact", *(each.name for each in methods())))
         if states.shape[-1] != state.shape[-1] or state.shape[-1] != len(system.components):
             raise ValueError(f"states of {states.shape[-1]} components")
         counts = known["outcome"], known["n_steps"], known["n_evaluations"]
-        return Trajectory(system, method, t, states, request, *counts)
+        return Trajectory(system, method, t, states, request, *counts, **_found(known))
     except (AttributeError, KeyError, TypeError, ValueError) as error:
         raise NotATrajectoryError(
             f"{source} does not hold a trajectory of pendula: its attributes lack or spoil {error}"
         ) from None
+
+
+def _found(known: dict[str, Any]) -> dict[str, Any]:
+    """What a run told besides its states; files of earlier versions have none of it."""
+    import numpy as np
+
+    width = len(known["state"])
+    crossings = (
+        Crossings(
+            np.array(each["times"], dtype=np.float64),
+            np.array(each["states"], dtype=np.float64).reshape(-1, width),
+        )
+        for each in known.get("crossings", ())
+    )
+    horizon = known.get("trust_horizon")
+    return {
+        "events": tuple(crossings),
+        "trust_horizon": None if horizon is None else float(horizon),
+        "precision": known.get("precision"),
+    }

@@ -6,7 +6,8 @@ matplotlib is imported by the first figure drawn.
 from pendula.plot.comparison import angles, convergence, parting, series, tip_paths
 from pendula.plot.overview import trajectory
 from pendula.plot.pendulum import elliptic_cost, linear_error, periods, phase_portrait
-from pendula.plot.style import svg
+from pendula.plot.style import picture, svg
+from pendula.plot.work_precision import work_precision
 
 __all__ = [
     "angles",
@@ -16,8 +17,10 @@ __all__ = [
     "parting",
     "periods",
     "phase_portrait",
+    "picture",
     "series",
     "svg",
     "tip_paths",
     "trajectory",
+    "work_precision",
 ]

@@ -27,6 +27,7 @@ INK = "#1b1f24"
 FAINT = "#b9bec5"
 _MOST = 1e9  # an error beyond this is no error any more, and would flatten all the others
 WIDTH = 6.4  # inches; the width of the report's column
+_DOTS = 200  # an inch, of a figure of pixels
 
 # Okabe & Ito's palette ("Color Universal Design", 2008); lines tell runs apart as well as colours.
 _LINES: dict[str, dict[str, Any]] = {
@@ -36,9 +37,41 @@ _LINES: dict[str, dict[str, Any]] = {
     "euler": {"color": "#d55e00", "linestyle": (0, (5, 1.5)), "linewidth": 1.3},
     "heun": {"color": "#0072b2", "linestyle": (0, (6, 1.5, 1, 1.5)), "linewidth": 1.3},
     "rk4": {"color": "#009e73", "linestyle": (0, (1.2, 1.2)), "linewidth": 1.8},
+    "dop853": {"color": "#3fa9e0", "linestyle": "-", "linewidth": 1.3},
+    "taylor": {"color": "#c2185b", "linestyle": "-", "linewidth": 1.7},
 }
+# Families of methods: one line style each, and the darker, the higher the order.
+_FAMILIES: tuple[tuple[Any, dict[str, str]], ...] = (
+    (
+        (0, (4, 1.2)),
+        {
+            "symplectic-euler": "#c3a5e3",
+            "verlet": "#a578d3",
+            "yoshida4": "#8650be",
+            "yoshida6": "#63309b",
+            "yoshida8": "#3f1270",
+        },
+    ),
+    (
+        (0, (4, 1.2, 1, 1.2)),
+        {"midpoint": "#dcbf85", "gauss4": "#c19337", "gauss6": "#946a12", "gauss8": "#5c4004"},
+    ),
+)
+for _style, _shades in _FAMILIES:
+    _LINES |= {
+        name: {"color": shade, "linestyle": _style, "linewidth": 1.2}
+        for name, shade in _shades.items()
+    }
 _OTHER: dict[str, Any] = {"color": "#e69f00", "linestyle": "-", "linewidth": 1.3}
-MARKERS = {"euler": "o", "heun": "s", "rk4": "^"}
+# One for each order, so that methods of the same order look alike.
+MARKERS = {
+    **dict.fromkeys(("euler", "symplectic-euler"), "o"),
+    **dict.fromkeys(("heun", "verlet", "midpoint"), "s"),
+    **dict.fromkeys(("rk4", "yoshida4", "gauss4"), "^"),
+    **dict.fromkeys(("yoshida6", "gauss6"), "D"),
+    **dict.fromkeys(("yoshida8", "gauss8", "dop853"), "p"),
+    "taylor": "*",
+}
 BACKED = {"facecolor": "white", "edgecolor": "none", "alpha": 0.8, "pad": 0.6}
 _SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
@@ -177,7 +210,17 @@ def legend_above(figure: Figure, ax: Axes, columns: int = 5) -> None:
 
 def svg(figure: Figure) -> bytes:
     """A figure as SVG: the same figure gives the same bytes, no date within."""
+    return picture(figure, "svg")
+
+
+def picture(figure: Figure, kind: str) -> bytes:
+    """A figure as "svg", "pdf" or "png", the same bytes each time."""
+    undated: dict[str, Any] = {
+        "svg": {"Date": None, "Creator": None},
+        "pdf": {"CreationDate": None, "Creator": None, "Producer": None},
+        "png": {"Software": None},
+    }
     buffer = BytesIO()
     with _look():
-        figure.savefig(buffer, format="svg", metadata={"Date": None, "Creator": None})
+        figure.savefig(buffer, format=kind, metadata=undated[kind], dpi=_DOTS)
     return buffer.getvalue()

@@ -10,6 +10,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterable, Mapping
     from pathlib import Path
 
+    from pendula.analysis import WorkPrecision
     from pendula.study.runs import Comparison, Results
     from pendula.trajectory import Trajectory
 
@@ -44,6 +45,7 @@ def _tables(results: Results) -> dict[str, Columns]:
         },
         "convergence": _convergence(results),
         "orders": _orders(results),
+        **{f"{name}_work": _work(each) for name, each in results.work.items()},
         "parting": {
             "method": [*double.parting, "reference and its repetitions"],
             "time [s]": [*double.parting.values(), double.horizon],
@@ -119,6 +121,15 @@ def _orders(results: Results) -> Columns:
     rows = [(s, m, fit.order) for s, methods in cases.items() for m, (_, fit) in methods.items()]
     system, method, order = zip(*rows, strict=True)
     return {"system": system, "method": method, "order [1]": order}
+
+
+def _work(part: WorkPrecision) -> Columns:
+    """Every run; no times, which would not be the same again."""
+    columns: Columns = {}
+    for name, values in part.to_dict().items():
+        if name != "processor time [s]":
+            columns[name] = ["" if str(value) == "nan" else value for value in values]
+    return columns
 
 
 def _count(n: int, thing: str) -> str:

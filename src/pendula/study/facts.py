@@ -14,6 +14,7 @@ import numpy as np
 from pendula.solving import methods
 from pendula.study.errata import errata
 from pendula.study.runs import METHODS, REPETITIONS
+from pendula.study.work import work_facts
 
 if TYPE_CHECKING:
     from pendula.plot.labels import Labels
@@ -34,6 +35,7 @@ def facts(results: Results, words: Labels, numbers: Numbers, version: str) -> di
         "elliptic": _elliptic(results, numbers),
         "methods": [_method(results, name, words, numbers) for name in METHODS],
         "orders": _orders(results, words, numbers),
+        "work": work_facts(results.work, results.recipe.work.swings, words, numbers),
         "double": _double(results, words, numbers),
         "errata": _errata(words.language),
     }

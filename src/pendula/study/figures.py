@@ -55,6 +55,7 @@ class Figures:
             "errors": self._errors,
             "energy": self._energy,
             "convergence": self._convergence,
+            "work": self._work,
             "double-angles": self._double_angles,
             "double-paths": self._double_paths,
             "double-energy": self._double_energy,
@@ -128,6 +129,10 @@ class Figures:
         return plot.convergence(
             orders.steps, list(orders.cases.values()), headings, **self._language
         )
+
+    def _work(self) -> Figure:
+        cases, headings = list(self._results.work.values()), self._headings(*self._results.work)
+        return plot.work_precision(cases, headings, against=("evaluations",), **self._language)
 
     def _double_runs(self) -> dict[str, Trajectory]:
         return {"reference": self._results.double.reference, **self._results.double.runs}

@@ -22,6 +22,7 @@ from pendula.analysis import (
 )
 from pendula.closed_form import exact
 from pendula.solving import solve
+from pendula.study.work import work
 from pendula.systems import DoublePendulum, LinearPendulum, SimplePendulum, System
 
 if TYPE_CHECKING:
@@ -29,6 +30,7 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
+    from pendula.analysis import WorkPrecision
     from pendula.study.schema import Convergence, Double, Elliptic, LinearModel, Period, Recipe
     from pendula.trajectory import Trajectory
 
@@ -127,6 +129,8 @@ class Results:
     linear: Comparison
     simple: Comparison
     orders: Orders
+    work: dict[str, WorkPrecision]
+    """What every method's errors cost, of the "simple" and of the "double" pendulum."""
     double: DoubleComparison
 
 
@@ -149,6 +153,7 @@ def compute(recipe: Recipe) -> Results:
         linear=_comparison(linear, releases["gentle"], gentle, part.step),
         simple=_comparison(simple, releases["large"], large, part.step),
         orders=_orders(recipe.convergence, linear, simple, recipe),
+        work=work(recipe, simple, *double_pendulum(recipe.double)),
         double=_double(recipe),
     )
 

@@ -105,6 +105,14 @@ class Convergence:
 
 
 @dataclass(frozen=True)
+class Work:
+    """What the errors of all methods cost."""
+
+    swings: int = _value(Rule(low=0, high=21, whole=True))
+    points: int = _value(Rule(low=1, high=41, whole=True))
+
+
+@dataclass(frozen=True)
 class Double:
     """Two uniform rods, their start, and the runs."""
 
@@ -134,6 +142,7 @@ class Recipe:
     period: Period
     elliptic: Elliptic
     convergence: Convergence
+    work: Work
     double: Double
     text: str
     """The complete recipe as TOML; read again, it gives the same numbers bit for bit."""
@@ -147,5 +156,6 @@ SECTIONS: dict[str, type[Any]] = {
     "period": Period,
     "elliptic": Elliptic,
     "convergence": Convergence,
+    "work": Work,
     "double": Double,
 }

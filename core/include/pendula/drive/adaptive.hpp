@@ -92,9 +92,8 @@ class adaptive_run {
   bool tell_events(double& stop, Consumer& consumer) {
     found_.clear();
     for (event_tracker& each : trackers_) each.find(stepper_, stop / stepper_.length(), found_);
-    std::stable_sort(found_.begin(), found_.end(), [this](const crossing& a, const crossing& b) {
-      return a.tau * direction_ < b.tau * direction_;
-    });
+    std::stable_sort(found_.begin(), found_.end(),
+                     [this](const crossing& a, const crossing& b) { return a.tau * direction_ < b.tau * direction_; });
     for (const crossing& each : found_) {
       consumer.event(*this, each.event, each.tau);
       if (++counts_[each.event] != trackers_[each.event].what().at_most) continue;

@@ -1,5 +1,5 @@
-// Events inside the steps of a run: an angle passes a value, a velocity zero, or the tip a height. The step's polynomial
-// is searched for all its crossings, so that none is lost between the ends of the step.
+// Events inside the steps of a run: an angle passes a value, a velocity zero, or the tip a height. The step's
+// polynomial is searched for all its crossings, so that none is lost between the ends of the step.
 #pragma once
 
 #include <algorithm>
@@ -71,8 +71,8 @@ struct crossing {
 };
 
 // One event of one run. Target n is the value and n turns (or the value alone, n = 0); the motion is in gap n between
-// targets n and n + 1 (or above, or in gap −1 below). The gap it was last in tells whether a crossing next to the end of
-// a step has been seen already, or is still to be told.
+// targets n and n + 1 (or above, or in gap −1 below). The gap it was last in tells whether a crossing next to the end
+// of a step has been seen already, or is still to be told.
 class event_tracker {
  public:
   event_tracker(const event& what, int place) : what_(what), place_(place) {}

@@ -149,7 +149,8 @@ struct elementary<wide<R>> {
     const R turns = nearest_whole(x.hi * R(0x1.45f306dc9c883p-3));  // 1/2π
     // 2π in parts of 27, 27 and 53 bits and the rest: whole multiples below 2^26 of the first two are exact
     wide<R> angle = x + wide<R>(turns * R(-0x1.921fb54p+2)) + wide<R>(turns * R(-0x1.10b4610p-28));
-    angle = angle + wide<R>(two_product(turns, R(-0x1.a62633145c06ep-56))) + wide<R>(turns * R(-0x1.cd129024e088ap-113));
+    angle =
+        angle + wide<R>(two_product(turns, R(-0x1.a62633145c06ep-56))) + wide<R>(turns * R(-0x1.cd129024e088ap-113));
     const auto [s, c] = wide_sincos(angle.hi);
     const wide<R> rest(angle.lo), below = scaled(square(rest), R(0.5));  // the next power is below 2^-150
     return {s + (c * rest - s * below), c - (s * rest + c * below)};

@@ -1,0 +1,37 @@
+// Many trajectories of the two rods from rest through the lanes of one Taylor stepper, for the benchmark in Python.
+#include <algorithm>
+#include <vector>
+
+#include "pendula/drive/lanes.hpp"
+#include "pendula/method/taylor.hpp"
+
+namespace {
+
+using namespace pendula;
+// Two registers side by side where there are 32 of them: one fills the other's waiting.
+constexpr int width = lanes_of_machine == 8 ? 16 : lanes_of_machine;
+using S = pack<double, width>;
+
+}  // namespace
+
+extern "C" int taylor_lanes_width() { return width; }
+
+// From angles (2, count) to the states (count, 4) at the time `end`; the steps that all of them took.
+extern "C" long taylor_lanes(const double* angles, long count, double end, double* states) {
+  using One = taylor_stepper<double_pendulum::over<double>>;
+  using Lanes = taylor_stepper<double_pendulum::over<S>>;
+  const double p[] = {1.0, 1.0, 1.0, 1.0, 9.81};
+  const std::vector<S> in_lanes(std::begin(p), std::end(p));
+  One one(double_pendulum::make<double>(0, p), -52.0);
+  Lanes lanes(double_pendulum::make<S>(0, in_lanes.data()), -52.0);
+  long steps = 0;
+  lanes_run<Lanes, One>(lanes, one, 0.0, end, 1L << 40)
+      .all(
+          static_cast<std::size_t>(count),
+          [&](std::size_t n, One& stepper) { stepper.start({angles[n], angles[count + n], 0.0, 0.0}); },
+          [&](const lane_end& told, const auto& y) {
+            std::ranges::copy(y, states + 4 * told.trajectory);
+            steps += told.steps;
+          });
+  return steps;
+}

@@ -1,0 +1,246 @@
+"""Work and precision: what each method's errors cost, in evaluations and in time."""
+
+from __future__ import annotations
+
+import math
+from functools import partial
+from time import process_time
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from pendula import _engine
+from pendula._arguments import (
+    BEST_TOLERANCE,
+    LARGEST_TOLERANCE,
+    MOST_STEPS,
+    checked_method,
+    checked_state,
+    log2_of,
+)
+from pendula._checks import finite_number, whole_number
+from pendula.analysis.difference import angle_difference
+from pendula.analysis.method_work import MethodWork, WorkPrecision
+from pendula.closed_form import exact
+from pendula.solving import solve
+from pendula.systems import DoublePendulum, System, check_system
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterable, Sequence
+
+    from pendula.trajectory import Trajectory
+
+    Progress = Callable[[str, float], None]
+
+Array = NDArray[np.float64]
+
+POINTS = 12
+_MOST_POINTS = 100
+_DIGITS = 15  # of a certified reference: all that a double holds
+_EXACT = 4 * BEST_TOLERANCE  # error of the closed form, as a part of the largest angle
+_OUTPUTS = 8  # in a time scale: the coarsest step of a method of high order
+_MOST_OUTPUTS = 1000
+_MOST_STEPS = 250_000  # of a run, unless its coarsest step needs as many
+_MOST_SCALES = 100_000.0
+_DECADES = 17  # of error that the steps of one method shall span
+_WIDEST = 2.0**14  # ratio of its coarsest step to its finest
+_LOW_ORDER = 4
+# Rounds of timing, as something else may slow down one of them; seconds and repetitions in each.
+_ROUNDS, _ENOUGH, _MOST_REPETITIONS = 3, 0.003, 30
+_SLOW = 0.1  # a run that takes so many seconds is not repeated
+
+
+def work_precision(
+    system: System,
+    state: ArrayLike,
+    until: float,
+    methods: Iterable[str] | None = None,
+    *,
+    t0: float = 0.0,
+    points: int = POINTS,
+    timed: bool = True,
+    progress: Progress | None = None,
+) -> WorkPrecision:
+    """Run methods with ever smaller steps or tolerances, and see what their errors cost.
+
+    The reference is the closed form; for the double pendulum a run right to all the digits of a
+    double. An evaluation is one of the right-hand side, those of iterations included. The Taylor
+    method takes no right-hand side but the coefficients of its series: each counts as one, so a
+    step counts as its order. Higher coefficients cost more, and the sine of a composed method less:
+    the time says that. It is processor time, the
+    least of several runs of the compiled core, without Python.
+
+    Args:
+        system: a pendulum.
+        state: (θ, ω) or (θ1, θ2, ω1, ω2) at time t0, (d,) [rad, rad/s].
+        until: end of the runs [s].
+        methods: names that `pendula.methods()` lists; None: all that take the system.
+        t0: time of the state [s].
+        points: runs of each method, 2 to 100. The steps are parts of the motion's time scale.
+        timed: measure times too, which differ from run to run.
+        progress: told the method and the part of all that is done, 0 to 1.
+
+    Raises:
+        ValueError: for an unknown method or an argument out of range.
+    """
+    check_system(system)
+    start = checked_state(state, system)
+    origin, end = finite_number("t0", t0, "s"), finite_number("until", until, "s")
+    count = whole_number("points", points, _MOST_POINTS)
+    if count < 2:
+        raise ValueError(f"points must be at least 2, got {count}")
+    chosen = _chosen(system, methods)
+    scales = abs(end - origin) / time_scale(system, start)
+    t = np.linspace(origin, end, _outputs(scales) + 1)[1:]
+    tell = progress or (lambda label, share: None)
+    part = 1 / (len(chosen) + 1)
+    tell("reference", 0.0)
+    reference, bound = _reference(
+        system, start, t, origin, lambda share: tell("reference", part * share)
+    )
+    done = []
+    for i, method in enumerate(chosen):
+        tell(method.name, part * (i + 1))
+        settings = _settings(method, scales, t.size, count)
+        done.append(_work(method, settings, reference, timed=timed))
+    tell("done", 1.0)
+    largest = float(np.abs([start[: start.size // 2], *reference.theta.reshape(t.size, -1)]).max())
+    digits, precision = reference.request.digits, reference.precision
+    limits = bound * largest, BEST_TOLERANCE * largest
+    told = reference.method, digits, precision, *limits
+    return WorkPrecision(system, start, origin, t, *told, tuple(done))
+
+
+def time_scale(system: System, state: ArrayLike) -> float:
+    """The period of the motion's fastest part: of its fastest small swing, or of a turn [s]."""
+    start = checked_state(state, system)
+    fastest = (
+        system.normal_modes().frequencies[1]
+        if isinstance(system, DoublePendulum)
+        else math.sqrt(system.constants["natural_frequency_squared"])
+    )
+    return math.tau / max(fastest, float(np.abs(start[start.size // 2 :]).max()))
+
+
+def _chosen(system: System, names: Iterable[str] | None) -> list[_engine.Method]:
+    """The methods of these names, each once."""
+    if names is None:
+        return [each for each in _engine.methods() if system.name in each.systems]
+    chosen = [checked_method(name, system) for name in dict.fromkeys(names)]
+    if not chosen:
+        raise ValueError("methods must name at least one method, got none")
+    return chosen
+
+
+def _outputs(scales: float) -> int:
+    """The number of output times for a motion of so many time scales."""
+    if not 0.0 < scales <= _MOST_SCALES:
+        raise ValueError(
+            f"until must differ from t0, by at most {_MOST_SCALES:g} of the motion's time scales, "
+            f"got {scales:.3g} of them"
+        )
+    return min(math.ceil(scales * _OUTPUTS), _MOST_OUTPUTS)
+
+
+def _reference(
+    system: System, start: Array, t: Array, t0: float, progress: Callable[[float], None]
+) -> tuple[Trajectory, float]:
+    """The motion itself, and the bound of its error as a part of the largest angle."""
+    if isinstance(system, DoublePendulum):
+        try:
+            run = solve(system, start, t, t0=t0, digits=_DIGITS, progress=progress)
+        except ValueError as error:
+            reason = str(error).partition(", or")[0]
+            raise ValueError(
+                f"until must be nearer for a reference right to {_DIGITS} digits: {reason}"
+            ) from None
+        return run, 10.0**-_DIGITS
+    return exact(system, start, t, t0=t0), _EXACT
+
+
+def _settings(method: _engine.Method, scales: float, outputs: int, points: int) -> Array:
+    """Tolerances, or the numbers of steps between two outputs, rising."""
+    if method.adaptive:
+        return np.geomspace(LARGEST_TOLERANCE, BEST_TOLERANCE, points)
+    # A low order begins with finer steps: its coarse ones are good for nothing.
+    coarsest = math.ceil(scales * _OUTPUTS * (1 if method.order > _LOW_ORDER else 2) / outputs)
+    finest = coarsest * min(10.0 ** (_DECADES / method.order), _WIDEST)
+    finest = max(min(finest, _MOST_STEPS / outputs), coarsest + points - 1.0)
+    return np.unique(np.round(np.geomspace(coarsest, finest, points)))
+
+
+def _work(
+    method: _engine.Method, settings: Array, reference: Trajectory, *, timed: bool
+) -> MethodWork:
+    """Run a method with each setting."""
+    asked = reference.request
+    if not method.adaptive:
+        settings = abs(float(reference.t[-1]) - asked.t0) / reference.t.size / settings
+    named = "tolerance" if method.adaptive else "step"
+    runs: list[Trajectory] = [
+        solve(
+            reference.system,
+            asked.state,
+            reference.t,
+            method.name,
+            t0=asked.t0,
+            **{named: each},
+        )
+        for each in settings.tolist()
+    ]
+    whole = np.array([run.outcome == "reached_end" for run in runs])
+    counts = np.array([run.n_evaluations for run in runs], dtype=np.float64)
+    if method.name == "taylor":
+        counts *= [series_order(each) for each in settings.tolist()]
+    seconds = _least_times([_bare_run(method, run) for run in runs]) if timed else math.nan
+    with np.errstate(over="ignore", invalid="ignore"):  # of a run that breaks down
+        errors = [float(angle_difference(run, reference).max()) for run in runs]
+        energies = [abs(float(run.energy_error[-1])) if run.t.size else math.inf for run in runs]
+    return MethodWork(
+        method.name,
+        method.adaptive,
+        settings,
+        evaluations=counts,
+        seconds=np.broadcast_to(seconds, settings.shape).copy(),
+        errors=np.where(whole, errors, math.inf),
+        energy_errors=np.where(whole, energies, math.inf),
+        outcomes=tuple(run.outcome for run in runs),
+    )
+
+
+def series_order(tolerance: float) -> int:
+    """Of the Taylor method's series (Jorba & Zou 2005, eq. 9; the next even number)."""
+    return 2 * math.ceil((1.0 - 0.5 * math.log(tolerance)) / 2.0 - 1e-3)
+
+
+def _bare_run(method: _engine.Method, run: Trajectory) -> Callable[[], object]:
+    """The same run again without Python around it."""
+    asked, system = run.request, run.system._description()
+    t, start = np.asarray(asked.t), asked.state.tolist()
+    told: tuple[Any, ...] = system, method.name, start, asked.t0
+    if asked.tolerance is not None:
+        told += float(t[-1]), log2_of(asked.tolerance), MOST_STEPS, t, [], None
+        return partial(_engine.solve_adaptive, *told)
+    told += math.copysign(asked.step or 0.0, float(t[-1]) - asked.t0), MOST_STEPS, t, False, None
+    return partial(_engine.solve_fixed, *told)
+
+
+def _least_times(runs: Sequence[Callable[[], object]]) -> Array:
+    """The least processor time of each run, of several rounds of all of them [s]."""
+    least = np.full(len(runs), math.inf)
+    for _ in range(_ROUNDS):
+        for i, run in enumerate(runs):
+            if least[i] < _SLOW or math.isinf(least[i]):
+                least[i] = min(least[i], _least_time(run))
+    return least
+
+
+def _least_time(run: Callable[[], object]) -> float:
+    """The least processor time of a run, of as many repetitions as are soon done [s]."""
+    times: list[float] = []
+    while sum(times) < _ENOUGH and len(times) < _MOST_REPETITIONS:
+        begin = process_time()
+        run()
+        times.append(process_time() - begin)
+    return min(times)

@@ -1,0 +1,183 @@
+"""`pendula compare`: what the errors of methods cost, in evaluations and in time."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from pendula import _engine
+from pendula.cli.groups import all_systems, one_each
+from pendula.cli.options import start_of, start_options, system_of, system_options, value
+from pendula.cli.progress import progress_bar
+from pendula.cli.run import seconds, span_of, start_time
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+    from pendula._engine import SystemEntry
+    from pendula.analysis import MethodWork, WorkPrecision
+
+_TARGETS = (1e-6, 1e-9, 1e-12)  # errors of the table [rad]
+_NEVER = "not reached"
+_POINTS = 12
+_PICTURES = (".png", ".svg", ".pdf")
+
+
+def _options(entry: SystemEntry) -> list[click.Parameter]:
+    names = [each.name for each in _engine.methods() if entry.name in each.systems]
+    return [
+        *system_options(entry),
+        *start_options(entry),
+        start_time(),
+        value("until", "time of the end", required=True),
+        click.Option(
+            ["--methods"],
+            metavar="NAMES",
+            help=f"such as rk4,taylor, of {', '.join(names)} [all of them]",
+        ),
+        click.Option(
+            ["--points"],
+            type=int,
+            default=_POINTS,
+            show_default=True,
+            metavar="N",
+            help="runs of each method, 2 to 100",
+        ),
+        *_file_options(),
+    ]
+
+
+def _file_options() -> list[click.Parameter]:
+    return [
+        click.Option(
+            ["out", "-o", "--output"],
+            type=click.Path(),
+            metavar="FILE",
+            help="write every run to a .csv or .json file",
+        ),
+        click.Option(
+            ["--picture"],
+            type=click.Path(),
+            metavar="FILE",
+            help="draw error against evaluations and time: .png, .svg or .pdf",
+        ),
+        click.Option(
+            ["--lang"],
+            type=click.Choice(["en", "es"]),
+            default="en",
+            show_default=True,
+            help="language of the picture",
+        ),
+        click.Option(["--force"], is_flag=True, help="replace the files if they exist"),
+    ]
+
+
+def _compare(entry: SystemEntry, **given: Any) -> None:
+    system, start = system_of(entry, given), start_of(entry, given)
+    t0, until = seconds(given["t0"], "--t0"), seconds(given["until"], "--until")
+    span_of(t0, until)
+    out, picture = _targets(given)
+    from pendula.analysis import work_precision
+
+    names = given["methods"]
+    chosen = None if names is None else [each.strip() for each in names.split(",")]
+    with progress_bar() as progress:
+        found = work_precision(
+            system, start, until, chosen, t0=t0, points=given["points"], progress=progress
+        )
+    if not any(math.isfinite(each.best) for each in found.methods):
+        raise click.ClickException("no method reached the end with any step; take an earlier one")
+    _write(found, out, picture, given)
+    click.echo(_table(found))
+    click.echo(_summary(found))
+    for path in filter(None, (out, picture)):
+        click.echo(path)
+
+
+def _targets(given: dict[str, Any]) -> tuple[Path | None, Path | None]:
+    """The files to write; says before long work what would go wrong at its end."""
+    from pathlib import Path
+
+    from pendula._checks import extra
+    from pendula.io.rows import check_rows_target
+    from pendula.io.writing import refuse_existing
+
+    out, picture = (None if given[n] is None else Path(given[n]) for n in ("out", "picture"))
+    if out is not None:
+        check_rows_target(out, overwrite=given["force"])
+    if picture is not None:
+        if picture.suffix.lower() not in _PICTURES:
+            endings = ", ".join(_PICTURES)
+            raise ValueError(f"--picture must end in one of {endings}, got {picture.name!r}")
+        extra("matplotlib", "report")
+        refuse_existing(picture, overwrite=given["force"])
+    return out, picture
+
+
+def _write(
+    found: WorkPrecision, out: Path | None, picture: Path | None, given: dict[str, Any]
+) -> None:
+    """Draw first, so that a picture that fails leaves no data behind."""
+    from pendula.io.rows import write_rows
+    from pendula.io.writing import replacing
+
+    if picture is not None:
+        from pendula import plot
+
+        drawn = plot.picture(
+            plot.work_precision([found], language=given["lang"]), picture.suffix[1:].lower()
+        )
+        with replacing(picture, overwrite=given["force"]) as unfinished:
+            unfinished.write_bytes(drawn)
+    if out is not None:
+        write_rows(found.to_dict(), found.attributes(), out, overwrite=given["force"])
+
+
+def _table(found: WorkPrecision) -> str:
+    """A row a method: its best, its error at equal work, and what the targets cost."""
+    from pendula.cli.tables import table
+
+    work = found.equal_work()
+    costs = [f"to {target:g} rad" for target in _TARGETS]
+    rows = [
+        [each.method, _error(each.best), _error(each.error_at(work))]
+        + [_cost(each, target) for target in _TARGETS]
+        for each in found.methods
+    ]
+    return table(["method", "best [rad]", f"at {work} [rad]", *costs], rows)
+
+
+def _error(error: float) -> str:
+    return "-" if math.isnan(error) else "broke down" if math.isinf(error) else f"{error:.1e}"
+
+
+def _cost(work: MethodWork, target: float) -> str:
+    evaluations, taken = work.to_reach(target)
+    return _NEVER if math.isnan(evaluations) else f"{evaluations:.0f}, {_duration(taken)}"
+
+
+def _duration(taken: float) -> str:
+    scale, unit = (1e6, "us") if taken < 1e-3 else (1e3, "ms") if taken < 1.0 else (1.0, "s")
+    return f"{taken * scale:.3g} {unit}"
+
+
+def _summary(found: WorkPrecision) -> str:
+    judge = "the exact solution"
+    if found.digits is not None:
+        judge = f"a run right to {found.digits} digits, computed with {found.precision} of them"
+    return (
+        f"Largest error of any angle at {len(found.t)} times, judged against {judge} (its own "
+        f"error: {found.reference_error:.1e} rad).\nCosts in evaluations and processor time; of "
+        "the Taylor method the coefficients of its series are counted."
+    )
+
+
+command = one_each(
+    "compare",
+    "Compare what the errors of methods cost, judged against the exact or a certified solution.",
+    all_systems(),
+    _options,
+    _compare,
+)

@@ -1,0 +1,123 @@
+"""Events in words: those asked for with --event, and what was found of them."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING
+
+from pendula import _engine
+from pendula._checks import whole_number
+from pendula.cli.tables import chosen_rows, digits_of, table
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Sequence
+
+    from pendula.events import Event
+    from pendula.trajectory import Trajectory
+
+EXAMPLES = "'flip 1', 'angle 1 0deg rising', 'velocity-zero 2' or 'tip-height 50cm falling end'"
+_NAME = "--event"
+_DIRECTIONS = {"rising": 1, "falling": -1}
+_END, _EVERY_TURN = "end", "every-turn"
+_MOST = 2**53
+
+
+def event_of(text: str) -> Event:
+    """The event that words such as "angle 1 0deg rising end" ask for.
+
+    The kind and its rod and value; then, in any order, rising or falling, every-turn (of an angle),
+    and end, perhaps with a number: so many of them end the run.
+
+    Raises:
+        ValueError: for other words.
+    """
+    from pendula import events
+
+    words = text.split()
+    kind = words.pop(0) if words else ""
+    makers: dict[str, Callable[..., Event]] = {
+        "flip": lambda *how: events.flip(_rod(words, text), *how),
+        "angle": lambda *how: events.angle(
+            _rod(words, text), _value(words, "rad", text), *how, every_turn=every_turn
+        ),
+        "velocity-zero": lambda *how: events.velocity_zero(_rod(words, text), *how),
+        "tip-height": lambda *how: events.tip_height(_value(words, "m", text), *how),
+    }
+    if kind not in makers:
+        raise _misread(text)
+    terminal = _taken_end(words, text)
+    every_turn = kind == "angle" and _taken(words, _EVERY_TURN)
+    direction = sum(sign for word, sign in _DIRECTIONS.items() if _taken(words, word))
+    event = makers[kind](direction, terminal)
+    if words:
+        raise _misread(text)
+    return event
+
+
+def words_of(event: Event) -> str:
+    """The event as `event_of` reads it, angles in radians."""
+    kind = event.kind.replace("_", "-")
+    unit = {"angle": "rad", "tip_height": "m"}.get(event.kind)
+    value = unit and repr(event.value).removesuffix(".0") + unit
+    turns = event.every_turn
+    if event.kind == "angle" and turns and event.value == math.pi:
+        kind, value, turns = "flip", None, False
+    words = [kind, event.index or None, value, _EVERY_TURN if turns else None]
+    words += [word for word, sign in _DIRECTIONS.items() if sign == event.direction]
+    words += [_END if event.terminal else None, event.terminal if event.terminal > 1 else None]
+    return " ".join(str(word) for word in words if word is not None)
+
+
+def found(run: Trajectory, *, every_row: bool = False) -> str:
+    """A table of the crossings of each event, shortened as that of a run is."""
+    components = _engine.system_entries()[run.system.name].components
+    header = ["event", "n", "t [s]", *(f"{row.name} [{row.unit}]" for row in components)]
+    digits = digits_of(len(components))
+    rows: list[Sequence[str]] = []
+    for event, (times, states) in zip(run.request.events, run.events, strict=True):
+        name = words_of(event)
+        for i in chosen_rows(len(times), every_row=every_row):
+            numbers = (f"{component:.{digits}g}" for component in states[i])
+            rows.append((name, str(i + 1), f"{times[i]:.10g}", *numbers))
+        if not len(times):
+            rows.append((name, "none", *[""] * (len(header) - 2)))
+    return table(header, rows)
+
+
+def _rod(words: list[str], text: str) -> int:
+    try:
+        return whole_number("the rod", int(words.pop(0)), 2)
+    except (IndexError, ValueError):
+        raise _misread(text) from None
+
+
+def _value(words: list[str], unit: str, text: str) -> float:
+    from pendula.units import quantity
+
+    given = " ".join(words)
+    words.clear()
+    if not given:
+        raise _misread(text)
+    return quantity(given, unit, _NAME)
+
+
+def _taken(words: list[str], word: str) -> bool:
+    if word not in words:
+        return False
+    words.remove(word)
+    return True
+
+
+def _taken_end(words: list[str], text: str) -> int:
+    """0: does not end the run; n: the nth does."""
+    if _END not in words:
+        return 0
+    place = words.index(_END)
+    del words[place]
+    if place == len(words) or not words[place].isdigit():
+        return 1
+    return whole_number(f"{_NAME}: the number after end", int(words.pop(place)), _MOST)
+
+
+def _misread(text: str) -> ValueError:
+    return ValueError(f"{_NAME} must be such as {EXAMPLES}, got {text!r}")

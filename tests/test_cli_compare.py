@@ -1,0 +1,186 @@
+"""`pendula compare`: its table, its files, and how it ends."""
+
+from __future__ import annotations
+
+import csv
+import json
+import math
+import re
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import pytest
+
+from pendula import SimplePendulum, exact, methods, solve
+from pendula.cli import main
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    Call = Callable[..., tuple[int, str, str]]
+
+QUICK = "compare simple --length 50cm --theta 150deg --until 2s --points 4"
+DOUBLE = "compare double --theta1 120deg --theta2 -10deg --until 1s --points 3"
+
+
+@pytest.fixture
+def call(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> Call:
+    """Run the command in an empty folder: exit code, stdout, stderr."""
+    monkeypatch.chdir(tmp_path)
+
+    def run(line: str) -> tuple[int, str, str]:
+        code = main(line.split())
+        printed = capsys.readouterr()
+        return code, printed.out, printed.err
+
+    return run
+
+
+def test_a_row_for_each_method_that_takes_the_system(call: Call) -> None:
+    code, printed, told = call(QUICK)
+    assert code == 0
+    lines = printed.splitlines()
+    names = [each.name for each in methods() if "simple" in each.systems]
+    assert re.split(" {2,}", lines[0])[::5] == ["method", "to 1e-12 rad"]
+    assert [line.split()[0] for line in lines[1 : len(names) + 1]] == names
+    assert lines[len(names) + 1].startswith("Largest error of any angle at 12 times, judged ")
+    assert "the exact solution" in lines[len(names) + 1]
+    assert [line.split()[1] for line in told.splitlines()] == ["reference", *names, "done"]
+    assert max(map(len, lines[: len(names) + 1])) <= 100
+    assert list(Path().iterdir()) == []
+
+
+def test_the_table_tells_what_an_error_costs(call: Call) -> None:
+    _, printed, _ = call(f"{QUICK} --methods euler,gauss8")
+    euler, gauss8 = (re.split(" {2,}", line) for line in printed.splitlines()[1:3])
+    assert euler[3:] == ["not reached"] * 3
+    assert float(euler[1]) > float(gauss8[1])
+    for cost in gauss8[3:]:
+        assert re.fullmatch(r"\d+, [\d.]+ (us|ms)", cost)
+    costs = [int(cost.partition(",")[0]) for cost in gauss8[3:]]
+    assert costs == sorted(costs)
+
+
+def test_the_methods_are_those_named(call: Call) -> None:
+    code, printed, told = call(f"{DOUBLE} --methods taylor,rk4,taylor")
+    assert code == 0
+    assert [line.split()[0] for line in printed.splitlines()[1:3]] == ["taylor", "rk4"]
+    assert "a run right to 15 digits, computed with " in printed
+    assert "coefficients" in printed
+    assert len(told.splitlines()) == 4
+
+
+def test_the_files_hold_the_runs(call: Call) -> None:
+    code, printed, _ = call(f"{QUICK} --methods rk4,taylor -o work.csv --picture work.svg")
+    assert code == 0
+    assert printed.splitlines()[-2:] == ["work.csv", "work.svg"]
+    assert sorted(path.name for path in Path().iterdir()) == ["work.csv", "work.svg"]
+    lines = Path("work.csv").read_text(encoding="utf-8").splitlines()
+    asked = json.loads(lines[0].removeprefix("# pendula: "))
+    rows = list(csv.DictReader(lines[1:]))
+    assert [row["method"] for row in rows] == ["rk4"] * 4 + ["taylor"] * 4
+    assert asked["outputs"] == 12
+    system, state = SimplePendulum(0.5), asked["state"]
+    t = [2.0 * (n + 1) / 12 for n in range(12)]
+    run = solve(system, state, t, "rk4", step=float(rows[2]["step [s]"]))
+    error = abs(run.theta - exact(system, state, t).theta).max()
+    assert float(rows[2]["largest angle error [rad]"]) == pytest.approx(error, rel=1e-6)
+    assert int(rows[2]["evaluations [1]"]) == run.n_evaluations
+    assert float(rows[2]["processor time [s]"]) > 0
+
+
+@pytest.mark.parametrize("language", ["en", "es"])
+def test_the_picture_has_its_language(call: Call, language: str) -> None:
+    code, _, _ = call(f"{DOUBLE} --methods midpoint --picture work.pdf --lang {language}")
+    assert code == 0
+    assert Path("work.pdf").read_bytes().startswith(b"%PDF-")
+
+
+def test_force_replaces_both_files(call: Call) -> None:
+    for name in ("work.json", "work.png"):
+        Path(name).write_text("old")
+    told = "--methods rk4 -o work.json --picture work.png"
+    assert call(f"{QUICK} {told}")[0] == 2
+    assert Path("work.json").read_text() == Path("work.png").read_text() == "old"
+    assert call(f"{QUICK} {told} --force")[0] == 0
+    assert json.loads(Path("work.json").read_text())["rows"][0]["method"] == "rk4"
+    assert Path("work.png").read_bytes().startswith(b"\x89PNG")
+
+
+@pytest.mark.parametrize(
+    ("line", "told"),
+    [
+        ("compare", "name a system: linear, simple, double"),
+        ("compare triple", "no system 'triple'"),
+        ("compare simple", "Missing option '--until'"),
+        (f"{QUICK} --methods rk5", "--methods must be one of euler"),
+        (f"{DOUBLE} --methods verlet", "method 'verlet' needs a system"),
+        (f"{QUICK} --methods ,", "--methods must be one of"),
+        (f"{QUICK} --points 1", "--points must be at least 2, got 1"),
+        (f"{QUICK} --points 1000", "--points must be a whole number from 1 to 100"),
+        (f"{QUICK} --points x", "'x' is not a valid integer"),
+        (f"{QUICK} --t0 2s", "--until must differ from --t0"),
+        ("compare simple --until 1e9s", "--until must differ from t0, by at most 100000 of"),
+        (f"{QUICK} -o work.xls", "the file name must end in .csv or .json, got 'work.xls'"),
+        (f"{QUICK} --picture work.gif", "--picture must end in one of .png, .svg, .pdf"),
+        (f"{QUICK} -o no/work.csv", "cannot write no/work.csv"),
+        (f"{QUICK} --picture no/work.png", "cannot write no/work.png"),
+        ("compare simple --length 0,5m --until 1s", "write 0.5m"),
+    ],
+)
+def test_wrong_use_is_one_line(call: Call, line: str, told: str) -> None:
+    code, printed, error = call(line)
+    assert (code, printed) == (2, "")
+    assert error.count("\n") == 1
+    assert error.startswith("pendula: ")
+    assert told in error
+    assert list(Path().iterdir()) == []
+
+
+def test_methods_that_all_break_down_are_told(call: Call, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("pendula.analysis.method_work.MethodWork.best", math.inf)
+    code, printed, error = call(f"{QUICK} --methods rk4 -o x.csv")
+    assert (code, printed) == (1, "")
+    assert error.splitlines()[-1].startswith("pendula: no method reached the end with any step")
+
+
+def test_a_disk_that_is_full_leaves_nothing(call: Call, monkeypatch: pytest.MonkeyPatch) -> None:
+    def full(*_: object, **__: object) -> None:
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr("pendula.io.rows.csv.writer", full)
+    code, printed, error = call(f"{QUICK} --methods rk4 -o work.csv")
+    assert (code, printed) == (1, "")
+    assert error.splitlines()[-1] == "pendula: No space left on device"
+    assert list(Path().iterdir()) == []
+
+
+@pytest.mark.parametrize("line", ["compare double --until 2000s", "compare simple --until 90000s"])
+def test_ctrl_c_ends_it_without_a_file(line: str, tmp_path: Path) -> None:
+    code = (
+        "import sys; from pendula.cli import main\n"
+        "print('ready', flush=True); sys.exit(main(sys.argv[1:]))"
+    )
+    arguments = [*line.split(), "-o", "x.csv", "--points", "100"]
+    with subprocess.Popen(
+        [sys.executable, "-c", code, *arguments],
+        cwd=tmp_path,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+    ) as process:
+        assert process.stdout is not None
+        assert process.stdout.readline() == "ready\n"
+        time.sleep(1.5)
+        process.send_signal(signal.SIGINT)
+        printed, told = process.communicate(timeout=20)
+    assert process.returncode == 130
+    assert printed == ""
+    assert told.splitlines()[-1] == "pendula: interrupted"
+    assert list(tmp_path.iterdir()) == []
