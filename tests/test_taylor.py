@@ -280,3 +280,11 @@ def test_an_interrupt_ends_a_long_run_at_once() -> None:
         run.send_signal(signal.SIGINT)
         _, errors = run.communicate(timeout=10)
     assert "KeyboardInterrupt" in errors
+
+
+@pytest.mark.parametrize("t0", [1e14, -1e17])
+def test_times_that_cannot_be_told_apart_are_refused(t0: float) -> None:
+    with pytest.raises(ValueError, match="^t0 and t must be small enough to tell times apart"):
+        solve(DoublePendulum.rods(), (2.0, 1.0, 0.0, 0.0), t0 + 1024.0, t0=t0)
+    fine = solve(DoublePendulum.rods(), (2.0, 1.0, 0.0, 0.0), 1e9 + 1.0, t0=1e9)
+    assert fine.outcome == "reached_end"

@@ -54,7 +54,7 @@ BOOST_AUTO_TEST_CASE(crossings_of_a_polynomial_are_all_found) {
   p.coefficient[3] = 1.0;
   std::vector<double> found;
   std::vector<bool> ways;
-  each_crossing(p, 1.0, [&](double x, bool rising) {
+  each_crossing(p, 1.0, 0x1p-52, [&](double x, bool rising) {
     found.push_back(x);
     ways.push_back(rising);
   });
@@ -68,7 +68,7 @@ BOOST_AUTO_TEST_CASE(crossings_of_a_polynomial_are_all_found) {
   touch.coefficient[0] = 0.25 + 1e-9;
   touch.coefficient[1] = -1.0;
   touch.coefficient[2] = 1.0;
-  each_crossing(touch, 1.0, [](double, bool) { BOOST_TEST(false); });
+  each_crossing(touch, 1.0, 0x1p-52, [](double, bool) { BOOST_TEST(false); });
 }
 
 // θ = cos t: events at known times.
@@ -148,4 +148,36 @@ BOOST_AUTO_TEST_CASE(crossings_at_the_ends_of_steps_are_told_once) {
     }
     BOOST_TEST((events.size() == 8u || events.size() == 9u || events.size() == 10u), n << " " << events.size());
   }
+}
+
+// A quantity that does not change has no crossings, whatever its value.
+BOOST_AUTO_TEST_CASE(what_stands_still_crosses_nothing) {
+  const event height{event_kind::tip_height, 0, -1.0};
+  const auto events = events_of<simple_pendulum>({0.0, 0.0}, 10.0, {passes(0.0), {event_kind::velocity, 0}, height});
+  BOOST_TEST(events.empty());
+}
+
+// A tip that turns touches the greatest height once a turn: none or two crossings there, and never one elsewhere.
+BOOST_AUTO_TEST_CASE(touches_are_told_where_they_are) {
+  for (const double omega : {7.0, 10.0, 30.0, 100.0, 300.0})
+    for (const double height : {-1.0, 1.0}) {
+      const auto events = events_of<simple_pendulum>({0.3, omega}, 20.0, {{event_kind::tip_height, 0, height}});
+      for (const auto& each : events) BOOST_TEST(std::fabs(-std::cos(each.state[0]) - height) < 1e-13);
+    }
+}
+
+// With a loose tolerance the steps are long, and their polynomials not the motion's: their events are on the surface.
+BOOST_AUTO_TEST_CASE(loose_steps_have_their_events_too) {
+  for (const double tolerance : {-10.0, -20.0})
+    for (const double omega : {3.0, 10.0}) {
+      const auto events = events_of<simple_pendulum>(
+          {0.2, omega}, 10.0, {{event_kind::tip_height, 0, 0.1}, passes(0.5)}, "reached_end", tolerance);
+      BOOST_TEST(events.size() > 3u);
+      for (const auto& each : events)
+        if (each.place == 0) BOOST_TEST(std::fabs(-std::cos(each.state[0]) - 0.1) < 1e-13);
+      const auto zeros =
+          events_of<simple_pendulum>({0.2, 1.0}, 10.0, {{event_kind::velocity, 0}}, "reached_end", tolerance);
+      BOOST_TEST(zeros.size() == 3u);
+      for (const auto& each : zeros) BOOST_TEST(std::fabs(each.state[1]) < 1e-14);
+    }
 }

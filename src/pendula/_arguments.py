@@ -19,6 +19,7 @@ if TYPE_CHECKING:
 MOST_STEPS = 2**53  # whole numbers are exact in a double up to here
 MOST_OWN_STEPS = 10**7  # of an adaptive method as outputs, if no limit is named: 400 MB
 LARGEST_TOLERANCE, BEST_TOLERANCE = 1e-3, 2.0**-52
+LARGEST_PHASE = 1e-3  # that a small swing may turn between two neighbouring times [rad]
 
 
 def checked_state(state: ArrayLike, system: System) -> Array:
@@ -113,3 +114,22 @@ def step_size(method: str, step: float | None, t0: float, end: float) -> float:
             "let t0 be 0, or take a larger step"
         )
     return size
+
+
+def check_rounding_of_times(system: System, t0: float, end: float) -> None:
+    """Refuse times so large that the motion moves between one double and the next.
+
+    Raises:
+        ValueError: saying how far apart times are.
+    """
+    apart = math.ulp(max(abs(t0), abs(end)))
+    known = system.constants
+    if "A" in known:
+        of_both = (known["A"] * known["E"] + known["B"] * known["D"]) / known["determinant_floor"]
+    else:
+        of_both = known["natural_frequency_squared"]
+    if apart * math.sqrt(of_both) > LARGEST_PHASE:
+        raise ValueError(
+            f"t0 and t must be small enough to tell times apart: near {max(abs(t0), abs(end)):g} s "
+            f"doubles are {apart:g} s apart; let t0 be 0"
+        )

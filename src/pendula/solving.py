@@ -10,6 +10,7 @@ from pendula import _engine
 from pendula._arguments import (
     BEST_TOLERANCE,
     MOST_STEPS,
+    check_rounding_of_times,
     checked_method,
     checked_state,
     checked_tolerance,
@@ -92,6 +93,7 @@ def solve(
     origin = finite_number("t0", t0, "s")
     times, own_steps = output_times(t, origin)
     end = float(times[-1])
+    check_rounding_of_times(system, origin, end)
     asked = Request(
         start,
         float(times[0]) if own_steps else times,

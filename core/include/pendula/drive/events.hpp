@@ -29,13 +29,14 @@ namespace detail {
 
 // 2π; head and tail.
 inline constexpr double turn_head = 0x1.921fb54442d18p+2, turn_tail = 0x1.1a62633145c07p-52;
-// Nearer to zero than this, in parts of what the polynomial changes by, the side of a step's start is not known.
-inline constexpr double unsure = 0x1p-44;
+// Nearer to a target than this, in parts of what the quantity changes by, the side that it is on is not known; nearer
+// than the other, a step can have ended on the wrong side of a crossing that the next one begins behind.
+inline constexpr double unsure = 0x1p-44, joining = 0x1p-30;
 
 // Of an angle that is a polynomial: s' = c θ', c' = −s θ'.
 inline polynomial cosine_of(const polynomial& angle) {
   polynomial s, c;
-  s.degree = c.degree = std::max(angle.degree, 40);
+  s.degree = c.degree = std::max(angle.degree, 40);  // the next order is below 2^-160 within 1 rad
   const auto start = sincos(angle.coefficient[0]);
   s.coefficient[0] = start.sin;
   c.coefficient[0] = start.cos;
@@ -49,18 +50,6 @@ inline polynomial cosine_of(const polynomial& angle) {
     c.coefficient[k + 1] = -of_c / (k + 1);
   }
   return c;
-}
-
-template <class Stepper>
-polynomial height_of_tip(const Stepper& stepper) {
-  polynomial height;
-  const auto lengths = stepper.of().lengths();
-  for (std::size_t i = 0; i < lengths.size(); ++i) {
-    const polynomial cosine = cosine_of(stepper.angle_polynomial(static_cast<int>(i)));
-    height.degree = cosine.degree;
-    for (int k = 0; k <= cosine.degree; ++k) height.coefficient[k] -= lengths[i] * cosine.coefficient[k];
-  }
-  return height;
 }
 
 }  // namespace detail
@@ -80,48 +69,115 @@ class event_tracker {
   // Adds the crossings of a step that is worked out, up to the part `end` of its length, in their order.
   template <class Stepper>
   void find(const Stepper& stepper, double end, std::vector<crossing>& found) {
-    const polynomial p = quantity(stepper);
-    const double reach = p.reach(1.0), margin = detail::unsure * reach;
-    const std::int64_t nearest = what_.every_turn ? std::llrint(p.coefficient[0] / detail::turn_head) : 0;
-    const double beside = less(stepper, p, nearest).coefficient[0];
-    if (first_) {
-      gap_ = beside > margin || (beside >= -margin && moves_up(p, margin)) ? nearest : nearest - 1;
-    } else if (std::fabs(beside) > margin) {
-      pass(stepper, 0.0, beside > 0.0 ? nearest : nearest - 1, found);
-    }
-    first_ = false;
-    if (!what_.every_turn) {
-      search(stepper, p, 0, 0, end, found);
-    } else {
-      const auto turns = [](double angle) { return static_cast<std::int64_t>(angle / detail::turn_head); };
-      const double start = p.coefficient[0];
-      search(stepper, p, turns(std::floor(start - reach)) - 1, turns(std::ceil(start + reach)) + 1, end, found);
+    const int parts = parts_of(stepper);
+    for (int i = 0; i < parts && i < end * parts; ++i) {
+      const piece part{static_cast<double>(i) / parts, 1.0 / parts};
+      find_in(stepper, part, std::min(1.0, (end - part.from) / part.width), found);
     }
   }
 
   const event& what() const { return what_; }
 
  private:
+  struct piece {  // of a step
+    double from, width;
+  };
   struct passage {
-    double x;
+    double y;
     std::int64_t gap;  // after it
   };
 
-  // What the event is about, less its value, on [0, 1] for the whole step.
+  // The cosine of an angle is a good polynomial for a turn of 1 rad, not for that of any step.
   template <class Stepper>
-  polynomial quantity(const Stepper& stepper) const {
+  int parts_of(const Stepper& stepper) const {
+    double reach = 1.0;
+    if (what_.kind == event_kind::tip_height)
+      for (std::size_t i = 0; i < stepper.of().lengths().size(); ++i)
+        reach = std::max(reach, stepper.angle_polynomial(static_cast<int>(i)).reach(1.0));
+    return static_cast<int>(std::min(std::ceil(reach), 1e6));
+  }
+
+  template <class Stepper>
+  void find_in(const Stepper& stepper, piece part, double end, std::vector<crossing>& found) {
+    const polynomial p = quantity(stepper, part);
+    const double reach = p.reach(1.0), noise = 0x1p-50 * (size(stepper, p) + reach);
+    const double margin = std::max(detail::unsure * reach, noise);
+    const double beside = less(stepper, part, p, nearest(p.coefficient[0])).coefficient[0];
+    const bool sure_of_start = begin(stepper, part, beside, p, margin, found);
+    std::vector<passage> passages;
+    const auto turns = [](double angle) { return static_cast<std::int64_t>(angle / detail::turn_head); };
+    const std::int64_t lowest = what_.every_turn ? turns(std::floor(p.coefficient[0] - reach)) - 1 : 0;
+    const std::int64_t highest = what_.every_turn ? turns(std::ceil(p.coefficient[0] + reach)) + 1 : 0;
+    for (std::int64_t n = lowest; n <= highest; ++n) {
+      const polynomial of_target = less(stepper, part, p, n);
+      each_crossing(of_target, end, noise, [&](double y, bool rising) {
+        passages.push_back({polished(stepper, part, of_target, n, y), rising ? n : n - 1});
+      });
+    }
+    std::sort(passages.begin(), passages.end(), [](const passage& a, const passage& b) { return a.y < b.y; });
+    const std::int64_t n = nearest(p(end)), left_in = passages.empty() ? gap_ : passages.back().gap;
+    const double at_end = less(stepper, part, p, n)(end);
+    const bool short_of_one = std::fabs(at_end) > margin && left_in != (at_end > 0.0 ? n : n - 1);
+    if (short_of_one && !sure_of_start) pass(stepper, part.from, side_after(beside, p, margin), found);
+    for (const passage& each : passages) pass(stepper, part.from + part.width * each.y, each.gap, found);
+  }
+
+  // Which gap the motion is in at the start of a part; false where it is too near to a target to tell. Where it is not
+  // the gap it was left in, a crossing lies where the parts join.
+  template <class Stepper>
+  bool begin(const Stepper& stepper, piece part, double beside, const polynomial& p, double margin,
+             std::vector<crossing>& found) {
+    const bool sure = std::fabs(beside) > margin;
+    const std::int64_t now = side_after(beside, p, margin);
+    if (first_) gap_ = now;
+    first_ = false;
+    if (sure && std::fabs(beside) <= detail::joining * p.reach(1.0)) pass(stepper, part.from, now, found);
+    if (sure) gap_ = now;
+    return sure;
+  }
+
+  // The gap at the start, or just after it where that is on a target.
+  std::int64_t side_after(double beside, const polynomial& p, double margin) const {
+    const std::int64_t n = nearest(p.coefficient[0]);
+    return beside > margin || (beside >= -margin && moves_up(p, margin)) ? n : n - 1;
+  }
+
+  std::int64_t nearest(double quantity) const {
+    return what_.every_turn ? std::llrint(quantity / detail::turn_head) : 0;
+  }
+
+  // What the numbers are made of that the quantity is the difference of: its rounding is in parts of that.
+  template <class Stepper>
+  double size(const Stepper& stepper, const polynomial& p) const {
+    double sum = std::fabs(p.coefficient[0]) + 2.0 * std::fabs(what_.value);
+    if (what_.kind == event_kind::tip_height)
+      for (double length : stepper.of().lengths()) sum += length;
+    return sum;
+  }
+
+  // What the event is about, less its value, on [0, 1] for the part of the step.
+  template <class Stepper>
+  polynomial quantity(const Stepper& stepper, piece part) const {
     polynomial p;
     if (what_.kind == event_kind::angle) p = stepper.angle_polynomial(what_.index);
     if (what_.kind == event_kind::velocity) p = stepper.velocity_polynomial(what_.index);
-    if (what_.kind == event_kind::tip_height) p = detail::height_of_tip(stepper);
+    if (what_.kind == event_kind::tip_height) {
+      const auto lengths = stepper.of().lengths();
+      for (std::size_t i = 0; i < lengths.size(); ++i) {
+        const polynomial angle = stepper.angle_polynomial(static_cast<int>(i)).about(part.from, part.width);
+        const polynomial cosine = detail::cosine_of(angle);
+        p.degree = cosine.degree;
+        for (int k = 0; k <= cosine.degree; ++k) p.coefficient[k] -= lengths[i] * cosine.coefficient[k];
+      }
+    }
     p.coefficient[0] -= what_.value;
     return p;
   }
 
   // The same less n turns, with the tails of angle and value.
   template <class Stepper>
-  polynomial less(const Stepper& stepper, polynomial p, std::int64_t n) const {
-    if (what_.kind == event_kind::angle) p.coefficient[0] = precisely(stepper, 0.0, n);
+  polynomial less(const Stepper& stepper, piece part, polynomial p, std::int64_t n) const {
+    if (what_.kind == event_kind::angle) p.coefficient[0] = precisely(stepper, part.from * stepper.length(), n);
     return p;
   }
 
@@ -146,31 +202,18 @@ class event_tracker {
     return true;
   }
 
+  // The root with what the polynomial does not know: its first coefficients' rounding, and terms left out, which a
+  // loose tolerance makes large. Where that does not converge, as in a touch, the polynomial's own stands.
   template <class Stepper>
-  void search(const Stepper& stepper, const polynomial& p, std::int64_t lowest, std::int64_t highest, double end,
-              std::vector<crossing>& found) {
-    std::vector<passage> passages;
-    for (std::int64_t n = lowest; n <= highest; ++n) {
-      const polynomial of_target = less(stepper, p, n);
-      each_crossing(of_target, end, [&](double x, bool rising) {
-        passages.push_back({polished(stepper, of_target, n, x), rising ? n : n - 1});
-      });
-    }
-    std::sort(passages.begin(), passages.end(), [](const passage& a, const passage& b) { return a.x < b.x; });
-    for (const passage& each : passages) pass(stepper, each.x, each.gap, found);
-  }
-
-  // The root with what the polynomial does not know: its first coefficients' rounding, and terms left out.
-  template <class Stepper>
-  double polished(const Stepper& stepper, const polynomial& p, std::int64_t n, double x) const {
-    double allowed = 1e-6;
-    for (int i = 0; i < 4; ++i) {
-      const double correction = precisely(stepper, x * stepper.length(), n) / p.slope(x);
-      if (!(std::fabs(correction) < allowed)) break;
-      x = std::clamp(x - correction, 0.0, 1.0);
+  double polished(const Stepper& stepper, piece part, const polynomial& p, std::int64_t n, double root) const {
+    double y = root, allowed = 1e-2;
+    for (int i = 0; i < 8 && allowed > 0x1p-53; ++i) {
+      const double correction = precisely(stepper, (part.from + part.width * y) * stepper.length(), n) / p.slope(y);
+      if (!(std::fabs(correction) < allowed)) return i > 1 ? y : root;
+      y = std::clamp(y - correction, 0.0, 1.0);
       allowed = 0.5 * std::fabs(correction);
     }
-    return x;
+    return y;
   }
 
   template <class Stepper>

@@ -64,29 +64,32 @@ inline double only_root(const polynomial& p, double a, double b, bool rising) {
 }
 
 template <class Visit>
-void crossings_within(const polynomial& p, double a, double b, Visit& visit) {
+void crossings_within(const polynomial& p, double a, double b, double noise, Visit& visit) {
   const double centre = 0.5 * (a + b), radius = 0.5 * (b - a);
   const polynomial q = p.about(centre, radius);
+  const double reach = q.reach(1.0);
   double bends = 0.0;
   for (int k = 2; k <= q.degree; ++k) bends += k * std::fabs(q.coefficient[k]);
-  if (std::fabs(q.coefficient[0]) > q.reach(1.0)) return;  // too far from zero
-  if (std::fabs(q.coefficient[1]) > bends || radius < narrowest) {
+  if (std::fabs(q.coefficient[0]) > reach) return;  // too far from zero
+  if (std::fabs(q.coefficient[1]) > bends || reach <= noise || radius < narrowest) {
     const bool below_first = p(a) < 0.0, below_last = p(b) < 0.0;
     if (below_first != below_last) visit(only_root(p, a, b, below_first), below_first);
     return;
   }
-  crossings_within(p, a, centre, visit);
-  crossings_within(p, centre, b, visit);
+  crossings_within(p, a, centre, noise, visit);
+  crossings_within(p, centre, b, noise, visit);
 }
 
 }  // namespace detail
 
 // Calls visit(x, rising) for every x in [0, end] where p changes its sign, in their order. Sums of magnitudes about the
-// middle show that an interval holds none, or that p rises or falls throughout; it is halved until one of them does.
+// middle show that an interval holds none, or that p rises or falls throughout; it is halved until one of them does, or
+// until p changes by no more than `noise`, its rounding.
 template <class Visit>
-void each_crossing(const polynomial& p, double end, Visit&& visit) {
-  if (std::fabs(p.coefficient[0]) > p.reach(end)) return;
-  detail::crossings_within(p, 0.0, end, visit);
+void each_crossing(const polynomial& p, double end, double noise, Visit&& visit) {
+  const double reach = p.reach(end);
+  if (std::fabs(p.coefficient[0]) > reach || reach <= noise) return;
+  detail::crossings_within(p, 0.0, end, noise, visit);
 }
 
 }  // namespace pendula
