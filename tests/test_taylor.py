@@ -22,6 +22,7 @@ from pendula import (
     solve,
     trajectory,
 )
+from pendula.events import flip
 from stored import EPS, cases
 
 RODS = DoublePendulum.rods(gravity=9.81)
@@ -200,7 +201,7 @@ def test_the_step_limit() -> None:
 
 def test_its_own_steps_are_not_endless(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(trajectory, "MOST_OWN_STEPS", 30)
-    run = solve(RODS, WILD, 1e300)
+    run = solve(RODS, WILD, 1e9)
     assert (run.outcome, run.t.size) == ("step_limit", 31)
     assert solve(RODS, WILD, [10.0]).outcome == "reached_end"
 
@@ -288,3 +289,22 @@ def test_times_that_cannot_be_told_apart_are_refused(t0: float) -> None:
         solve(DoublePendulum.rods(), (2.0, 1.0, 0.0, 0.0), t0 + 1024.0, t0=t0)
     fine = solve(DoublePendulum.rods(), (2.0, 1.0, 0.0, 0.0), 1e9 + 1.0, t0=1e9)
     assert fine.outcome == "reached_end"
+
+
+def test_how_far_a_run_came_counts_not_its_outputs() -> None:
+    rods, state = DoublePendulum.rods(gravity=9.81), (2.0, 2.5, 0.0, 0.0)
+    own = solve(rods, state, 30.0, certify=1e-9)
+    ended = solve(rods, state, [0.0, 100.0], events=[flip(2, terminal=40)], certify=1e-9)
+    assert (ended.outcome, ended.t.tolist()) == ("event", [0.0])
+    assert ended.trust_horizon == own.trust_horizon
+    crossings = ended.events[0]
+    np.testing.assert_allclose(ended.at(crossings.times), crossings.states, rtol=0, atol=1e-12)
+    stopped = solve(rods, state, [100.0], max_steps=1500, certify=1e-9)
+    assert (stopped.outcome, stopped.t.size) == ("step_limit", 0)
+    assert stopped.trust_horizon == own.trust_horizon
+    fixed = solve(rods, state, [100.0], "rk4", step=1e-3, max_steps=20_000, certify=1e-6)
+    assert (
+        fixed.trust_horizon
+        == solve(rods, state, 20.0, "rk4", step=1e-3, certify=1e-6).trust_horizon
+        < 20.0
+    )

@@ -89,7 +89,10 @@ struct kept : receiver {
 // States at any times of a run that was made.
 class dense_output {
  public:
-  dense_output(adaptive_run_of run, step_starts starts) : run_(std::move(run)), starts_(std::move(starts)) {}
+  dense_output(adaptive_run_of run, step_starts starts, double reached)
+      : reached(reached), run_(std::move(run)), starts_(std::move(starts)) {}
+
+  const double reached;  // the time up to which the run was made
 
   // Times follow one another in the direction of the run. One next to the end of a step is left to the step before,
   // which goes on to the next if the run itself did.
@@ -97,6 +100,7 @@ class dense_output {
     const std::size_t d = run_.state.size(), count = times.shape(0);
     const double* const t = times.data();
     new_array states({count, d});
+    const attendance attending{nb::none()};
     nb::gil_scoped_release released;
     const double direction = run_.end < run_.t0 ? -1.0 : 1.0;
     for (std::size_t i = 0, from = 0; i < count;) {
@@ -108,8 +112,12 @@ class dense_output {
       std::size_t next = i + 1;
       const bool is_last = from + 1 == starts_.size();
       while (next < count && (is_last || direction * t[next] <= direction * starts_.time(from + 1))) ++next;
-      writer to(states.data + d * i, d);
-      best_kernels().revisit(run_.request(), starts_[from], {t + i, next - i}, to);
+      writer to(states.data + d * i, d, attending);
+      const auto how = best_kernels().revisit(run_.request(), starts_[from], {t + i, next - i}, to).ended;
+      if (static_cast<pendula::outcome>(how) == pendula::outcome::interrupted) {
+        nb::gil_scoped_acquire held;
+        throw nb::python_error();
+      }
       i = next;
     }
     return states.array;
@@ -117,13 +125,15 @@ class dense_output {
 
  private:
   struct writer : receiver {
-    writer(double* to, std::size_t dimension) : to(to), dimension(dimension) {}
+    writer(double* to, std::size_t dimension, const attendance& attending)
+        : to(to), dimension(dimension), attending(attending) {}
     void output(double, const double* y) override { to = std::copy_n(y, dimension, to); }
     void event(int, double, const double*) override {}
     void step(const step_memory&) override {}
-    bool go_on(double, std::int64_t) override { return true; }
+    bool go_on(double t, std::int64_t) override { return attending(t); }
     double* to;
     std::size_t dimension;
+    const attendance& attending;
   };
 
   adaptive_run_of run_;
@@ -162,13 +172,14 @@ any_tuple solve_adaptive(const description& d, const std::string& method, const 
   for (const rows_of_states& each : told.crossings) crossings.append(each.arrays(state.size()));
   const nb::tuple outputs = told.outputs.arrays(state.size());
   return nb::make_tuple(outputs[0], outputs[1], pendula::name_of(ended), result.steps, result.evaluations, crossings,
-                        dense_output(run, std::move(told.starts)));
+                        dense_output(run, std::move(told.starts), result.reached));
 }
 
 }  // namespace
 
 void bind_adaptive(nb::module_& m) {
   nb::class_<dense_output>(m, "DenseOutput", "The motion inside the steps of a run that was made.")
+      .def_ro("reached", &dense_output::reached, "The time up to which the run was made [s].")
       .def("at", &dense_output::at, "times"_a, "States (n, d) at times (n,) in the direction of the run.");
   m.def("solve_adaptive", &solve_adaptive, "description"_a, "method"_a, "state"_a, "t0"_a, "end"_a,
         "log2_of_tolerance"_a, "step_limit"_a, "times"_a.none(), "events"_a, "progress"_a.none(),

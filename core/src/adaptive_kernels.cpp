@@ -81,7 +81,7 @@ adaptive_outcome with_stepper(const adaptive_request& asked, Visit&& visit) {
       result = visit(stepper);
     });
   });
-  return {static_cast<std::uint8_t>(result.ended), result.steps, result.evaluations};
+  return {static_cast<std::uint8_t>(result.ended), result.steps, result.evaluations, result.reached};
 }
 
 std::vector<event> events_of(std::span<const event_row> rows) {
@@ -100,7 +100,7 @@ adaptive_outcome solve(const adaptive_request& asked, std::span<const double> ti
                        receiver& to) {
   if (times.empty() || times[0] == asked.t0) to.output(asked.t0, asked.state);  // as it was given
   if (!times.empty() && times[0] == asked.t0) times = times.subspan(1);
-  if (asked.end == asked.t0) return {static_cast<std::uint8_t>(outcome::reached_end), 0, 0};
+  if (asked.end == asked.t0) return {static_cast<std::uint8_t>(outcome::reached_end), 0, 0, asked.t0};
   const std::vector<event> events = events_of(rows);
   return with_stepper(asked, [&]<class Stepper>(Stepper& stepper) {
     adaptive_run<Stepper> run(stepper, asked.t0, asked.end, events);

@@ -47,6 +47,10 @@ def solve_fixed(description: Description, method: str, state: Sequence[float], t
 class DenseOutput:
     """The motion inside the steps of a run that was made."""
 
+    @property
+    def reached(self) -> float:
+        """The time up to which the run was made [s]."""
+
     def at(self, times: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)]) -> NDArray[numpy.float64]:
         """States (n, d) at times (n,) in the direction of the run."""
 

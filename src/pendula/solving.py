@@ -93,7 +93,8 @@ def solve(
     origin = finite_number("t0", t0, "s")
     times, own_steps = output_times(t, origin)
     end = float(times[-1])
-    check_rounding_of_times(system, origin, end)
+    if chosen.adaptive:
+        check_rounding_of_times(system, origin, end)
     asked = Request(
         start,
         float(times[0]) if own_steps else times,
@@ -202,19 +203,31 @@ def _horizon(run: Trajectory, progress: Progress) -> float:
 
     asked = run.request
     assert asked.certify is not None
-    if not run.t.size or run.t[-1] == asked.t0:
+    reached = _reached(run)
+    if reached == asked.t0:
         return math.inf
     return horizon(
         run.system,
         asked.state,
         run.method,
         asked.t0,
-        float(run.t[-1]),
+        reached,
         step=asked.step,
         tolerance=asked.tolerance,
         certify=asked.certify,
         progress=progress,
     )
+
+
+def _reached(run: Trajectory) -> float:
+    """The time up to which a run was made, whatever its outputs."""
+    if run.dense is not None:
+        return run.dense.reached
+    asked = run.request
+    end = asked.t if isinstance(asked.t, float) else float(asked.t[-1])
+    if run.outcome == "reached_end":
+        return end
+    return asked.t0 + math.copysign(run.n_steps * (asked.step or 0.0), end - asked.t0)
 
 
 def _certified(certify: float) -> float:

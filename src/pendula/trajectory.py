@@ -72,6 +72,7 @@ class Trajectory:
         events: times and states of each event asked for, in that order.
         trust_horizon: first time at which an angle of the run is off by more than `certify` [s];
             inf: not within the run; None: not asked.
+        dense: what `at` asks, of a run with steps of its own choice; made again where it is missing.
         precision: decimal digits that a run with `digits` was computed with; None: a double's.
     """
 
@@ -153,7 +154,11 @@ class Trajectory:
                 f"at needs a method with dense output, got {self._told()}; "
                 "ask solve for these times: solve(system, state, t, ...)"
             )
-        last = float(self.t[-1]) if self.t.size else asked.t0
+        dense = self.dense
+        if dense is None:  # read from a file
+            dense = run_adaptive(self.system, self.method, asked, None)[-1]
+            object.__setattr__(self, "dense", dense)
+        last = dense.reached
         direction = -1.0 if last < asked.t0 else 1.0
         beyond = ((times - asked.t0) * direction < 0) | ((times - last) * direction > 0)
         if beyond.any():
@@ -161,10 +166,6 @@ class Trajectory:
                 f"t must lie within the run, from {asked.t0!r} to {last!r} s, "
                 f"got {float(times[beyond.argmax()])!r}"
             )
-        dense = self.dense
-        if dense is None:  # read from a file
-            dense = run_adaptive(self.system, self.method, asked, None)[-1]
-            object.__setattr__(self, "dense", dense)
         order = np.argsort(direction * times, kind="stable")
         states = np.empty((times.size, asked.state.size))
         states[order] = dense.at(np.ascontiguousarray(times[order]))

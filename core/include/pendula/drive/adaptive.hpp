@@ -16,6 +16,7 @@ namespace pendula {
 struct adaptive_result {
   outcome ended = outcome::reached_end;
   std::int64_t steps = 0, evaluations = 0;
+  double reached = 0.0;  // the time up to which the motion is known
 };
 
 // A run of a stepper of one trajectory, which stands at its start, from t0 to `end`.
@@ -42,6 +43,7 @@ class adaptive_run {
   template <class Consumer, class Poll>
   adaptive_result to_end(std::int64_t step_limit, Consumer&& consumer, Poll&& go_on) {
     adaptive_result result;
+    result.reached = rough(time_.head[0]);
     for (;;) {
       if (result.steps == step_limit) return ended(result, outcome::step_limit);
       stepper_.expand(direction_);
@@ -54,6 +56,7 @@ class adaptive_run {
       bool terminated = false;
       if constexpr (std::same_as<S, double>) terminated = !trackers_.empty() && tell_events(stop, consumer);
       const bool enough = !consumer.step(*this, stop);
+      result.reached = last && !terminated ? end_ : time_after(stop);
       if (terminated) return ended(result, outcome::event);
       if (last) return ended(result, outcome::reached_end);
       if (enough) return ended(result, outcome::interrupted);

@@ -48,6 +48,7 @@ struct receiver {
 struct adaptive_outcome {
   std::uint8_t ended;  // a `pendula::outcome`
   std::int64_t steps, evaluations;
+  double reached;
 };
 
 struct adaptive {
