@@ -72,7 +72,7 @@ class Trajectory:
         events: times and states of each event asked for, in that order.
         trust_horizon: first time at which an angle of the run is off by more than `certify` [s];
             inf: not within the run; None: not asked.
-        dense: what `at` asks, of a run with steps of its own choice; made again where it is missing.
+        dense: what `at` asks, of a run with steps of its own; made again where it is missing.
         precision: decimal digits that a run with `digits` was computed with; None: a double's.
     """
 
