@@ -6,7 +6,7 @@ import math
 from typing import TYPE_CHECKING
 
 from pendula import _engine
-from pendula._checks import finite_array, one_of, positive_number, states_array
+from pendula._checks import finite_array, finite_number, one_of, positive_number, states_array
 
 if TYPE_CHECKING:
     import numpy as np
@@ -51,7 +51,7 @@ def checked_tolerance(tolerance: float | None) -> float:
     """The tolerance of an adaptive method, or the best one."""
     if tolerance is None:
         return BEST_TOLERANCE
-    value = positive_number("tolerance", tolerance)
+    value = finite_number("tolerance", tolerance)
     if not BEST_TOLERANCE <= value <= LARGEST_TOLERANCE:
         raise ValueError(
             f"tolerance must lie between 2^-52 = {BEST_TOLERANCE:.3g} and {LARGEST_TOLERANCE:g}, "

@@ -118,7 +118,7 @@ def checked_events(events: object, system: System) -> tuple[Event, ...]:
         ValueError: for anything else.
     """
     rods = len(system.components) // 2
-    if isinstance(events, Event):
+    if isinstance(events, Event | str):
         events = (events,)
     try:
         found: tuple[Any, ...] = tuple(events)  # type: ignore[arg-type]

@@ -93,6 +93,8 @@ def solve(
     origin = finite_number("t0", t0, "s")
     times, own_steps = output_times(t, origin)
     end = float(times[-1])
+    together = {"step": step, "tolerance": tolerance, "certify": certify, "max_steps": max_steps}
+    _check_together(chosen, digits, **together, events=events or None)
     if chosen.adaptive:
         check_rounding_of_times(system, origin, end)
     asked = Request(
@@ -104,9 +106,8 @@ def solve(
         checked_tolerance(tolerance) if chosen.adaptive and digits is None else None,
         checked_events(events, system),
         None if certify is None else _certified(certify),
-        None if digits is None else whole_number("digits", digits, MOST_DIGITS),
+        digits,
     )
-    _check_together(chosen, asked, step=step, tolerance=tolerance)
     if asked.digits is not None:
         return _solve_digits(system, asked, times, progress)
     return _solve(system, chosen, times, asked, progress)
@@ -240,38 +241,30 @@ def _certified(certify: float) -> float:
     return allowed
 
 
-def _check_together(
-    method: _engine.Method, asked: Request, *, step: float | None, tolerance: float | None
-) -> None:
-    """Refuse arguments that do not go with one another."""
-    if method.adaptive and step is not None:
+def _check_together(method: _engine.Method, digits: int | None, **given: object) -> None:
+    """Refuse arguments that do not go with the method, or with digits."""
+    if digits is not None:
+        whole_number("digits", digits, MOST_DIGITS)
+        other = f"the method {method.name!r}" if method.name != "taylor" else None
+        for name in (other, *(name for name, value in given.items() if value is not None)):
+            if name:
+                raise ValueError(
+                    f"digits is not taken together with {name}: it chooses method and precision "
+                    "by itself; leave one of the two out"
+                )
+    if method.adaptive and given["step"] is not None:
         raise ValueError(
-            f"step is not taken by the adaptive method {method.name!r}, got {step!r}; "
+            f"step is not taken by the adaptive method {method.name!r}, got {given['step']!r}; "
             "leave it out, or name a tolerance"
         )
-    if not method.adaptive and tolerance is not None:
+    if not method.adaptive and given["tolerance"] is not None:
         raise ValueError(
-            f"tolerance is not taken by the fixed-step method {method.name!r}, got {tolerance!r}; "
-            "choose the step, or an adaptive method such as 'taylor'"
+            f"tolerance is not taken by the fixed-step method {method.name!r}, "
+            f"got {given['tolerance']!r}; choose the step, or an adaptive method such as 'taylor'"
         )
-    if not method.adaptive and asked.events:
+    if not method.adaptive and given["events"] is not None:
         raise ValueError(
             f"events are not taken by the fixed-step method {method.name!r}, which does not know "
             "the motion inside its steps; "
             f"take {' or '.join(each.name for each in methods() if each.adaptive)}"
         )
-    if asked.digits is None:
-        return
-    others = {
-        f"the method {method.name!r}": method.name != "taylor",
-        "a tolerance": tolerance is not None,
-        "events": bool(asked.events),
-        "certify": asked.certify is not None,
-        "max_steps": asked.max_steps is not None,
-    }
-    for name, given in others.items():
-        if given:
-            raise ValueError(
-                f"digits is not taken together with {name}: it chooses method and precision by "
-                "itself; leave one of the two out"
-            )

@@ -64,7 +64,10 @@ class MethodWork:
             before, after = np.log(self.errors[i - 1 : i + 1])
             share = float((before - math.log(error)) / (before - after))
         low, costs = max(i - 1, 0), (self.evaluations, self.seconds)
-        evaluations, seconds = (float(c[low] * (c[i] / c[low]) ** share) for c in costs)
+        # where errors go up and down, a later run can be there for less
+        cheapest = there[np.argmin(self.evaluations[there])]
+        at_first = [float(c[low] * (c[i] / c[low]) ** share) for c in costs]
+        evaluations, seconds = min(at_first, [float(c[cheapest]) for c in costs])
         return evaluations, seconds
 
     def error_at(self, evaluations: float) -> float:

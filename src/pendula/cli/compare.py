@@ -146,7 +146,7 @@ def _table(found: WorkPrecision) -> str:
         + [_cost(each, target) for target in _TARGETS]
         for each in found.methods
     ]
-    return table(["method", "best [rad]", f"at {work} [rad]", *costs], rows)
+    return table(["method", "best [rad]", f"after {work} evaluations", *costs], rows)
 
 
 def _error(error: float) -> str:

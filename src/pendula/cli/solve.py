@@ -36,7 +36,7 @@ _STANDARD = "taylor"
 
 
 def _options(entry: SystemEntry) -> list[click.Parameter]:
-    names = [each.name for each in _engine.methods() if entry.name in each.systems]
+    names = [each.name for each in _engine.methods()]  # one that does not take it says why
     return [
         *system_options(entry),
         *start_options(entry),
