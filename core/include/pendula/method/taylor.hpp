@@ -32,14 +32,14 @@ class taylor_stepper {
         order_(order_for(log2_of_tolerance)),
         series_(order_),
         inverse_(static_cast<std::size_t>(order_) + 2),
-        log2_of_error_(log2_of_tolerance - 2.0) {
+        log2_of_error_(log2_of_tolerance - 5.0) {
     double log2_of_factorial = 0.0;
     for (int k = 1; k <= order_ + 1; ++k) {
       inverse_[k] = S(1.0) / S(static_cast<double>(k));
-      if (k <= order_) log2_of_factorial += rough_log2(static_cast<double>(k));
+      log2_of_factorial += rough_log2(static_cast<double>(k));
     }
     // a little more than the step of a small swing with the highest frequency: for what has no last terms, such as rest
-    const double reach = 1.1 * rough_exp2((log2_of_error_ + log2_of_factorial) / order_);
+    const double reach = 1.1 * rough_exp2((log2_of_error_ + log2_of_factorial) / (order_ + 1));
     longest_ = R(reach) / square_root(rough(system.largest_frequency_squared()));
   }
 
@@ -60,7 +60,7 @@ class taylor_stepper {
   void proceed(const point& next) { at_ = next; }
 
   // Works out the series at the point, and how far it reaches, forward in time or (direction −1) backward: as far as
-  // the term before the last stays below the error allowed. Four orders tell the radius of convergence, and the least
+  // the first term left out stays below the error allowed. Four orders tell the radius of convergence, and the least
   // counts: a motion from rest has none of the odd ones, one from rest at a right angle every fourth only.
   PENDULA_INLINE void expand(double direction) {
     series_.expand(system_, at_.head, at_.tail, inverse_.data());
@@ -69,7 +69,7 @@ class taylor_stepper {
       const R other = log2_of_radius(k);
       radius = choose(less(other, radius), other, radius);
     }
-    const R reach = rough_exp2(radius + R(log2_of_error_ / (order_ - 1)));
+    const R reach = rough_exp2(radius + R(log2_of_error_ / (order_ + 1)));
     length_ = R(direction) * choose(less(longest_, reach), longest_, reach);
     ++expansions_;
   }
