@@ -12,6 +12,24 @@ using namespace pendula;
 constexpr int width = lanes_of_machine == 8 ? 16 : lanes_of_machine;
 using S = pack<double, width>;
 
+template <class One>
+struct feed {
+  const double* angles;
+  long count;
+  double* states;
+  long taken = 0, steps = 0;
+
+  std::size_t next(One& stepper) {
+    if (taken == count) return no_trajectory;
+    stepper.start({angles[taken], angles[count + taken], 0.0, 0.0});
+    return static_cast<std::size_t>(taken++);
+  }
+  void output(std::size_t n, std::size_t, const vec<double, 4>& y) { std::ranges::copy(y, states + 4 * n); }
+  void event(std::size_t, int, double, const vec<double, 4>&) {}
+  void finish(const lane_end& told) { steps += told.steps; }
+  bool go_on() { return true; }
+};
+
 }  // namespace
 
 extern "C" int taylor_lanes_width() { return width; }
@@ -24,14 +42,8 @@ extern "C" long taylor_lanes(const double* angles, long count, double end, doubl
   const std::vector<S> in_lanes(std::begin(p), std::end(p));
   One one(double_pendulum::make<double>(0, p), -52.0);
   Lanes lanes(double_pendulum::make<S>(0, in_lanes.data()), -52.0);
-  long steps = 0;
-  lanes_run<Lanes, One>(lanes, one, 0.0, end, 1L << 40)
-      .all(
-          static_cast<std::size_t>(count),
-          [&](std::size_t n, One& stepper) { stepper.start({angles[n], angles[count + n], 0.0, 0.0}); },
-          [&](const lane_end& told, const auto& y) {
-            std::ranges::copy(y, states + 4 * told.trajectory);
-            steps += told.steps;
-          });
-  return steps;
+  feed<One> trajectories{angles, count, states};
+  const lanes_task task{0.0, end, std::int64_t{1} << 40, {&end, 1}, {}};
+  lanes_run<Lanes, One, feed<One>>(lanes, one, task, trajectories).all();
+  return trajectories.steps;
 }

@@ -8,6 +8,7 @@
 #include "arrays.hpp"
 #include "attendance.hpp"
 #include "described.hpp"
+#include "events.hpp"
 #include "pendula/drive/adaptive_kernels.hpp"
 #include "pendula/drive/outcome.hpp"
 
@@ -139,17 +140,6 @@ class dense_output {
   adaptive_run_of run_;
   step_starts starts_;
 };
-
-using any_tuple = nb::typed<nb::tuple, nb::any, nb::ellipsis>;
-
-std::vector<event_row> events_of(const std::vector<any_tuple>& rows) {
-  std::vector<event_row> events;
-  for (const nb::tuple& row : rows)
-    events.push_back({nb::cast<std::uint8_t>(row[0]), nb::cast<int>(row[1]), nb::cast<double>(row[2]),
-                      nb::cast<double>(row[3]), nb::cast<bool>(row[4]), nb::cast<int>(row[5]),
-                      nb::cast<std::int64_t>(row[6])});
-  return events;
-}
 
 any_tuple solve_adaptive(const description& d, const std::string& method, const std::vector<double>& state, double t0,
                          double end, double log2_of_tolerance, std::int64_t step_limit,

@@ -5,6 +5,7 @@ void bind_catalog(nanobind::module_& m);
 void bind_systems(nanobind::module_& m);
 void bind_solve(nanobind::module_& m);
 void bind_adaptive(nanobind::module_& m);
+void bind_ensemble(nanobind::module_& m);
 void bind_trust(nanobind::module_& m);
 void bind_exact(nanobind::module_& m);
 void bind_elliptic(nanobind::module_& m);
@@ -15,6 +16,7 @@ NB_MODULE(_core, m) {
   bind_systems(m);
   bind_solve(m);
   bind_adaptive(m);
+  bind_ensemble(m);
   bind_trust(m);
   bind_exact(m);
   bind_elliptic(m);

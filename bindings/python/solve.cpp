@@ -3,8 +3,6 @@
 #include <nanobind/stl/string_view.h>
 #include <nanobind/stl/tuple.h>
 
-#include <optional>
-
 #include "arrays.hpp"
 #include "attendance.hpp"
 #include "described.hpp"

@@ -83,9 +83,14 @@ std::uint64_t hash_of_catalogue() {
   return all.value;
 }
 
-// Ends of the adaptive methods' runs, through the lanes or one by one.
+constexpr event every_kind_of_event[] = {{event_kind::angle, 0, 0.3},
+                                         {event_kind::angle, 0, 3.141592653589793, 1.2246467991473532e-16, true, 1},
+                                         {event_kind::velocity, 0},
+                                         {event_kind::tip_height, 0, -0.4}};
+
+// Outputs and events of the adaptive methods' runs, through the lanes or one by one.
 template <class S>
-void adaptive_ends(hash& all) {
+void adaptive_runs(hash& all) {
   for_each<systems>([&]<class Entry>() {
     using Sys = typename Entry::template over<double>;
     for_each<adaptive_methods>([&]<class Method>() {
@@ -101,12 +106,15 @@ void adaptive_ends(hash& all) {
           return stepper;
         };
         std::vector<std::vector<double>> numbers(trajectories);
+        const double times[] = {0.01, 0.02, 1.7, 3.0};
+        const std::span<const event> events(every_kind_of_event, Method::name == "taylor" ? 4 : 0);
+        const lanes_task task{0.0, 3.0, 1 << 20, times, events};
         if constexpr (lanes<S>::count > 1) {
-          ends_through_lanes<Method, Entry, S>(trajectories, 3.0, log2_of_tolerance, place, numbers);
+          run_through_lanes<Method, Entry, S>(trajectories, task, log2_of_tolerance, place, numbers);
         } else {
           for (std::size_t n = 0; n < trajectories; ++n) {
             auto stepper = place(n);
-            run_alone(stepper, 3.0, {}, false, numbers[n]);
+            run_task_alone(stepper, task, numbers[n]);
           }
         }
         for (const auto& trajectory : numbers)
@@ -118,10 +126,6 @@ void adaptive_ends(hash& all) {
 
 // Outputs inside the steps, forward and backward, and events of all kinds.
 void outputs_and_events(hash& all) {
-  const event events[] = {{event_kind::angle, 0, 0.3},
-                          {event_kind::angle, 0, 3.141592653589793, 1.2246467991473532e-16, true, 1},
-                          {event_kind::velocity, 0},
-                          {event_kind::tip_height, 0, -0.4}};
   std::vector<double> numbers;
   for_each<systems>([&]<class Entry>() {
     using Sys = typename Entry::template over<double>;
@@ -133,7 +137,7 @@ void outputs_and_events(hash& all) {
         typename Sys::state start;
         for (std::size_t k = 0; k < start.size(); ++k) start[k] = component_of(1, k);
         stepper.start(start);
-        run_alone(stepper, end, events, true, numbers);
+        run_alone(stepper, end, every_kind_of_event, numbers);
       }
     });
   });
@@ -195,7 +199,7 @@ std::uint64_t hash_of_all() {
   hash all{hash_of_catalogue<S>()};
   exact_motions<S>(all);
   single_numbers(all);
-  adaptive_ends<of_machine<S>>(all);
+  adaptive_runs<of_machine<S>>(all);
   outputs_and_events(all);
   return all.value;
 }

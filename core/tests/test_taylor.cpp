@@ -188,22 +188,39 @@ BOOST_AUTO_TEST_CASE(every_lane_has_the_bits_of_a_run_of_its_own) {
   Lanes lanes(double_pendulum::make<S>(0, p.data()), -40.0);
   constexpr std::size_t count = 11;
   const auto start_of = [](std::size_t n) { return vec<double, 4>{0.3 * static_cast<double>(n), 1.0, 0.1, -2.0}; };
-  std::vector<vec<double, 4>> ends(count);
-  std::int64_t steps = 0;
-  lanes_run<Lanes, One>(lanes, one, 0.0, 3.0, 1 << 20)
-      .all(
-          count, [&](std::size_t n, One& stepper) { stepper.start(start_of(n)); },
-          [&](const lane_end& end, const auto& y) {
-            BOOST_TEST(name_of(end.ended) == "reached_end");
-            ends[end.trajectory] = y;
-            steps += end.steps;
-          });
+  struct feed {
+    decltype(start_of)& start;
+    std::size_t taken = 0;
+    std::int64_t steps = 0;
+    std::vector<std::vector<vec<double, 4>>> states{count};
+
+    std::size_t next(One& stepper) {
+      if (taken == count) return no_trajectory;
+      stepper.start(start(taken));
+      return taken++;
+    }
+    void output(std::size_t n, std::size_t place, const vec<double, 4>& y) {
+      BOOST_TEST(place == states[n].size());
+      states[n].push_back(y);
+    }
+    void event(std::size_t, int, double, const vec<double, 4>&) {}
+    void finish(const lane_end& end) {
+      BOOST_TEST(name_of(end.ended) == "reached_end");
+      BOOST_TEST(end.reached == 3.0);
+      steps += end.steps;
+    }
+    bool go_on() { return true; }
+  };
+  const std::vector<double> times{0.001, 0.002, 1.0, 2.5, 3.0};  // several in a step, none in another
+  const lanes_task task{0.0, 3.0, 1 << 20, times, {}};
+  feed trajectories{start_of};
+  lanes_run<Lanes, One, feed>(lanes, one, task, trajectories).all();
   for (std::size_t n = 0; n < count; ++n) {
     one.start(start_of(n));
     using run = adaptive_run<One>;
-    at_times<run> told{{3.0}};
-    steps -= run(one, 0.0, 3.0).to_end(1 << 20, told, always).steps;
-    BOOST_TEST((told.states.at(0) == ends[n]), n);
+    at_times<run> told{times};
+    trajectories.steps -= run(one, 0.0, 3.0).to_end(1 << 20, told, always).steps;
+    BOOST_TEST((told.states == trajectories.states[n]), n);
   }
-  BOOST_TEST(steps == 0);
+  BOOST_TEST(trajectories.steps == 0);
 }

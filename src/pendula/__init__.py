@@ -15,37 +15,48 @@ __version__ = "0.1.0"
 _HOMES = {
     "systems": ("DoublePendulum", "LinearPendulum", "SimplePendulum"),
     "closed_form": ("action", "exact", "time_at"),
+    "ensembles": ("Ensemble", "ensemble"),
+    "maps": ("divergence_map", "flip_map"),
     "sections": ("poincare_section",),
     "solving": ("methods", "solve"),
     "trajectory": ("Trajectory",),
     "io": ("load", "rerun"),
+    "sweeping": ("sweep",),
 }
-_MODULES = ("analysis", "elliptic", "events", "io", "plot", "study", "units")
+_MODULES = ("analysis", "chunks", "elliptic", "events", "io", "plot", "sampling", "study", "units")
 _OF_A_RUN = ("closed_form", "events", "sections", "solving", "systems", "trajectory", "trust")
 
 if TYPE_CHECKING:
     from pendula import elliptic, events
     from pendula.closed_form import action, exact, time_at
+    from pendula.ensembles import Ensemble, ensemble
     from pendula.io import load, rerun
+    from pendula.maps import divergence_map, flip_map
     from pendula.sections import poincare_section
     from pendula.solving import methods, solve
+    from pendula.sweeping import sweep
     from pendula.systems import DoublePendulum, LinearPendulum, SimplePendulum
     from pendula.trajectory import Trajectory
 
 __all__ = [
     "DoublePendulum",
+    "Ensemble",
     "LinearPendulum",
     "SimplePendulum",
     "Trajectory",
     "action",
+    "divergence_map",
     "elliptic",
+    "ensemble",
     "events",
     "exact",
+    "flip_map",
     "load",
     "methods",
     "poincare_section",
     "rerun",
     "solve",
+    "sweep",
     "time_at",
 ]
 

@@ -6,7 +6,14 @@ import math
 from typing import TYPE_CHECKING
 
 from pendula import _engine
-from pendula._checks import finite_array, finite_number, one_of, positive_number, states_array
+from pendula._checks import (
+    LARGEST_COUNT,
+    finite_array,
+    finite_number,
+    one_of,
+    positive_number,
+    states_array,
+)
 
 if TYPE_CHECKING:
     import numpy as np
@@ -16,7 +23,6 @@ if TYPE_CHECKING:
 
     Array = NDArray[np.float64]
 
-MOST_STEPS = 2**53  # whole numbers are exact in a double up to here
 MOST_OWN_STEPS = 10**7  # of an adaptive method as outputs, if no limit is named: 400 MB
 LARGEST_TOLERANCE, BEST_TOLERANCE = 1e-3, 2.0**-52
 LARGEST_PHASE = 1e-3  # that a small swing may turn between two neighbouring times [rad]
@@ -104,7 +110,7 @@ def step_size(method: str, step: float | None, t0: float, end: float) -> float:
         raise ValueError(
             f"step must not exceed the span of {abs(span)!r} s from t0 to the end, got {size!r} s"
         )
-    if abs(span) / size > MOST_STEPS:
+    if abs(span) / size > LARGEST_COUNT:
         raise ValueError(
             f"step = {size!r} s is too small for a span of {abs(span)!r} s: over 2^53 steps"
         )

@@ -13,6 +13,8 @@ if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import ArrayLike, NDArray
 
+LARGEST_COUNT = 2**53  # whole numbers are exact in a double up to here
+
 
 class MissingExtraError(ImportError):
     """A part of pendula needs packages that the base install leaves out."""

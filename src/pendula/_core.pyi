@@ -59,6 +59,19 @@ def solve_adaptive(description: Description, method: str, state: Sequence[float]
     Times, states, how the run ended, steps, evaluations, (times, states) of each event, and the dense output. Without times the outputs are the steps'.
     """
 
+def ensemble(system: str, form: int, parameters: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], method: str, states: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], t0: float, times: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], step: float, log2_of_tolerance: float, step_limit: int, events: Sequence[tuple[Any, ...]], threads: int, progress: object | None) -> tuple[Any, ...]:
+    """
+    States (n, times, d), how each run ended, its steps, the time it reached, and (trajectories, times, states) of each event, from states (n, d) and parameters (n, p), or (1, p) for all.
+    """
+
+def trust_horizons(system: str, form: int, parameters: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], method: str, states: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], t0: float, reached: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], step: float, log2_of_tolerance: float, certify: float, threads: int, progress: object | None) -> NDArray[numpy.float64]:
+    """
+    The trust horizon (n,) of each run of an ensemble, which came to the time `reached` (n,).
+    """
+
+def outcomes() -> list[str]:
+    """How runs end, by number."""
+
 def trust_horizon(description: Description, method: str, state: Sequence[float], t0: float, end: float, step: float, log2_of_tolerance: float, certify: float, progress: object | None) -> float:
     """
     First time at which an angle of the run is off by more than `certify`, or infinity. `step` is negative for a run backward, and 0 for an adaptive method.

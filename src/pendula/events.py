@@ -6,7 +6,7 @@ import math
 from dataclasses import asdict, dataclass
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from pendula._checks import finite_number, one_of, whole_number
+from pendula._checks import LARGEST_COUNT, finite_number, one_of, whole_number
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -19,7 +19,6 @@ if TYPE_CHECKING:
     Array = NDArray[np.float64]
 
 _KINDS = ("angle", "velocity_zero", "tip_height")  # in the core's order
-_MOST = 2**53
 _REST_OF_PI = 1.2246467991473532e-16  # π less the double nearest to it
 
 
@@ -111,7 +110,7 @@ def tip_height(y: float, direction: int = 0, terminal: bool | int = False) -> Ev
     return Event("tip_height", 0, height, False, _direction(direction), _terminal(terminal))
 
 
-def checked_events(events: object, system: System) -> tuple[Event, ...]:
+def checked_events(events: object, system: System, name: str = "events") -> tuple[Event, ...]:
     """The events, each of which the system can have.
 
     Raises:
@@ -127,7 +126,7 @@ def checked_events(events: object, system: System) -> tuple[Event, ...]:
     for each in found:
         if not isinstance(each, Event):
             raise ValueError(
-                "events must be made by pendula.events: angle, flip, velocity_zero or tip_height; "
+                f"{name} must be made by pendula.events: angle, flip, velocity_zero or tip_height; "
                 f"got {each!r}"
             )
         if each.index > rods:
@@ -171,4 +170,4 @@ def _direction(direction: object) -> int:
 def _terminal(terminal: bool | int) -> int:
     if isinstance(terminal, bool):
         return int(terminal)
-    return 0 if terminal == 0 else whole_number("terminal", terminal, _MOST)
+    return 0 if terminal == 0 else whole_number("terminal", terminal, LARGEST_COUNT)

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from pendula import _engine
 from pendula._arguments import checked_state, checked_tolerance, log2_of
-from pendula._checks import finite_number, whole_number
+from pendula._checks import LARGEST_COUNT, finite_number, whole_number
 from pendula.events import Crossings, Event, checked_events
 from pendula.systems import System, check_system
 
@@ -50,10 +50,12 @@ def poincare_section(
 
     check_system(system)
     start = checked_state(state, system)
-    (surface,) = checked_events((event,), system)
+    (surface,) = checked_events(event, system, "event")
     count = whole_number("n", n, _MOST_CROSSINGS)
     origin = finite_number("t0", t0, "s")
-    limit = _MOST_STEPS if max_steps is None else whole_number("max_steps", max_steps, 2**53)
+    limit = (
+        _MOST_STEPS if max_steps is None else whole_number("max_steps", max_steps, LARGEST_COUNT)
+    )
     *_, outcome, steps, _, crossings, _ = _engine.solve_adaptive(
         system._description(),
         "taylor",

@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING
 from pendula import _engine
 from pendula._arguments import (
     BEST_TOLERANCE,
-    MOST_STEPS,
     check_rounding_of_times,
     checked_method,
     checked_state,
@@ -17,21 +16,22 @@ from pendula._arguments import (
     output_times,
     step_size,
 )
-from pendula._checks import finite_number, positive_number, whole_number
+from pendula._checks import LARGEST_COUNT, finite_number, positive_number, whole_number
+from pendula._progress import part
 from pendula.events import checked_events, crossings_of
 from pendula.systems import System, check_system
 from pendula.trajectory import Request, Trajectory, run_adaptive
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterable
+    from collections.abc import Iterable
 
     import numpy as np
     from numpy.typing import ArrayLike, NDArray
 
+    from pendula._progress import Progress
     from pendula.events import Event
 
     Array = NDArray[np.float64]
-    Progress = Callable[[float], None] | None
 
 MOST_OUTPUTS = 10**8  # of a run's own steps: 3 to 4 GB of states
 MOST_DIGITS = 15  # that a double holds
@@ -94,7 +94,7 @@ def solve(
     times, own_steps = output_times(t, origin)
     end = float(times[-1])
     together = {"step": step, "tolerance": tolerance, "certify": certify, "max_steps": max_steps}
-    _check_together(chosen, digits, **together, events=events or None)
+    check_together(chosen, digits, **together, events=events or None)
     if chosen.adaptive:
         check_rounding_of_times(system, origin, end)
     asked = Request(
@@ -102,10 +102,10 @@ def solve(
         float(times[0]) if own_steps else times,
         origin,
         None if chosen.adaptive else step_size(chosen.name, step, origin, end),
-        None if max_steps is None else whole_number("max_steps", max_steps, MOST_STEPS),
+        None if max_steps is None else whole_number("max_steps", max_steps, LARGEST_COUNT),
         checked_tolerance(tolerance) if chosen.adaptive and digits is None else None,
         checked_events(events, system),
-        None if certify is None else _certified(certify),
+        None if certify is None else checked_certify(certify),
         digits,
     )
     if asked.digits is not None:
@@ -120,13 +120,8 @@ def _solve(
     run = _solve_adaptive if method.adaptive else _solve_fixed
     if asked.certify is None:
         return run(system, method, times, asked, progress)
-    done = run(system, method, times, asked, _part(progress, 0.0, _PLAIN_SHARE))
-    return replace(done, trust_horizon=_horizon(done, _part(progress, _PLAIN_SHARE, 1.0)))
-
-
-def _part(progress: Progress, start: float, end: float) -> Progress:
-    """Progress of a part of the work, told as that of the whole."""
-    return progress and (lambda share: progress(start + (end - start) * share))
+    done = run(system, method, times, asked, part(progress, 0.0, _PLAIN_SHARE))
+    return replace(done, trust_horizon=_horizon(done, part(progress, _PLAIN_SHARE, 1.0)))
 
 
 def _solve_fixed(
@@ -147,7 +142,7 @@ def _solve_fixed(
         asked.state.tolist(),
         asked.t0,
         math.copysign(size, span),
-        asked.max_steps or MOST_STEPS,
+        asked.max_steps or LARGEST_COUNT,
         times,
         own_steps,
         None if progress is None else lambda steps: progress(steps / whole),
@@ -231,7 +226,8 @@ def _reached(run: Trajectory) -> float:
     return asked.t0 + math.copysign(run.n_steps * (asked.step or 0.0), end - asked.t0)
 
 
-def _certified(certify: float) -> float:
+def checked_certify(certify: float) -> float:
+    """The largest angle that a certified run may be off by."""
     allowed = positive_number("certify", certify, "rad")
     if allowed > 1.0:
         raise ValueError(
@@ -241,7 +237,7 @@ def _certified(certify: float) -> float:
     return allowed
 
 
-def _check_together(method: _engine.Method, digits: int | None, **given: object) -> None:
+def check_together(method: _engine.Method, digits: int | None, **given: object) -> None:
     """Refuse arguments that do not go with the method, or with digits."""
     if digits is not None:
         whole_number("digits", digits, MOST_DIGITS)

@@ -7,8 +7,8 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 from pendula import _engine
-from pendula._arguments import MOST_OWN_STEPS, MOST_STEPS, log2_of
-from pendula._checks import check_finite, finite_array
+from pendula._arguments import MOST_OWN_STEPS, log2_of
+from pendula._checks import LARGEST_COUNT, check_finite, finite_array
 from pendula.systems import LinearPendulum, SimplePendulum
 
 if TYPE_CHECKING:
@@ -240,7 +240,7 @@ def run_adaptive(
         asked.t0,
         end,
         log2_of(asked.tolerance or 1.0),
-        asked.max_steps or (MOST_OWN_STEPS if own_steps else MOST_STEPS),
+        asked.max_steps or (MOST_OWN_STEPS if own_steps else LARGEST_COUNT),
         None if own_steps else np.asarray(asked.t),
         [each.row() for each in asked.events],
         None if progress is None else lambda t: progress((t - asked.t0) / span),

@@ -14,12 +14,11 @@ from pendula import _engine
 from pendula._arguments import (
     BEST_TOLERANCE,
     LARGEST_TOLERANCE,
-    MOST_STEPS,
     checked_method,
     checked_state,
     log2_of,
 )
-from pendula._checks import finite_number, whole_number
+from pendula._checks import LARGEST_COUNT, finite_number, whole_number
 from pendula.analysis.difference import angle_difference
 from pendula.analysis.method_work import MethodWork, WorkPrecision
 from pendula.closed_form import exact
@@ -220,9 +219,9 @@ def _bare_run(method: _engine.Method, run: Trajectory) -> Callable[[], object]:
     t, start = np.asarray(asked.t), asked.state.tolist()
     told: tuple[Any, ...] = system, method.name, start, asked.t0
     if asked.tolerance is not None:
-        told += float(t[-1]), log2_of(asked.tolerance), MOST_STEPS, t, [], None
+        told += float(t[-1]), log2_of(asked.tolerance), LARGEST_COUNT, t, [], None
         return partial(_engine.solve_adaptive, *told)
-    told += math.copysign(asked.step or 0.0, float(t[-1]) - asked.t0), MOST_STEPS, t, False, None
+    told += math.copysign(asked.step or 0.0, float(t[-1]) - asked.t0), LARGEST_COUNT, t, False, None
     return partial(_engine.solve_fixed, *told)
 
 

@@ -1,8 +1,7 @@
 // The drive of methods that choose their steps and know the motion inside them: outputs and events cost no step.
 #pragma once
 
-#include <cmath>
-#include <optional>
+#include <algorithm>
 #include <span>
 #include <vector>
 

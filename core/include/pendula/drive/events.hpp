@@ -3,8 +3,8 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include "pendula/scalar/polynomial_roots.hpp"

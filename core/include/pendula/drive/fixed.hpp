@@ -130,7 +130,8 @@ class fixed_run {
   }
 
   state after_shortened_step(double h) {
-    const carried there = Method::step(system_, at_, S(h));
+    carried there = at_;
+    take_steps(there, S(h), 1);
     ++shortened_;
     if constexpr (Method::evaluations_per_step == 0)
       for (int i = 0; i < width; ++i) elsewhere_[i] += evaluations_of(there, i) - evaluations_of(at_, i);
@@ -138,20 +139,23 @@ class fixed_run {
     return Method::state_of(system_, there);
   }
 
-  // The loop all the time is spent in. It stops early only where no lane is left.
   void step_until(std::int64_t until) {
-    const S h(step_);
     while (steps_ < until && running_ > 0) {
-      carried at = at_;
-      std::int64_t n = steps_;
-      do {
-        at = Method::step(system_, at, h);
-        ++n;
-      } while (all_lanes(finite<S>(head_of(at))) && n < until);
-      at_ = at;
-      steps_ = n;
+      steps_ += take_steps(at_, S(step_), until - steps_);
       end_lanes_not_finite(head_of(at_));
     }
+  }
+
+  // The loop all the time is spent in. It stops early only where a lane is not finite, and tells how many it took.
+  [[gnu::noinline]] std::int64_t take_steps(carried& from, S h, std::int64_t most) const {
+    carried at = from;
+    std::int64_t n = 0;
+    do {
+      at = Method::step(system_, at, h);
+      ++n;
+    } while (all_lanes(finite<S>(head_of(at))) && n < most);
+    from = at;
+    return n;
   }
 
   void end_lanes_not_finite(const state& y) {

@@ -5,84 +5,243 @@
 #include <algorithm>
 #include <cstdint>
 #include <limits>
+#include <span>
+#include <vector>
 
+#include "pendula/drive/events.hpp"
 #include "pendula/drive/outcome.hpp"
 #include "pendula/scalar/choose.hpp"
 #include "pendula/scalar/compensated.hpp"
 
 namespace pendula {
 
+// What all the trajectories have in common. Outputs follow one another from t0, which is none of them, to the end.
+struct lanes_task {
+  double t0, end;
+  std::int64_t step_limit;
+  std::span<const double> times;
+  std::span<const event> events;
+};
+
 struct lane_end {
   std::size_t trajectory;
   outcome ended;
   std::int64_t steps;
+  double reached;  // the time up to which the motion is known
 };
 
-// `Stepper` over lanes, `One` the same over plain numbers, through which a trajectory comes in.
-template <class Stepper, class One>
+inline constexpr std::size_t no_trajectory = static_cast<std::size_t>(-1);
+
+// One lane of a stepper over lanes, as a stepper of one trajectory, for those who look inside its step.
+template <class Stepper, class System>
+struct lane_view {
+  using S = typename Stepper::S;
+  static constexpr std::size_t dimension = System::dimension;
+
+  const Stepper& all;
+  const System& system;
+  int l;
+
+  double length() const { return lane(all.length(), l); }
+  polynomial angle_polynomial(int i) const { return all.angle_polynomial(i, l); }
+  polynomial velocity_polynomial(int i) const { return all.velocity_polynomial(i, l); }
+  compensated_point<vec<double, dimension>> after(double tau) const {
+    const auto point = all.after(S(tau));
+    compensated_point<vec<double, dimension>> mine;
+    for (std::size_t i = 0; i < dimension; ++i) {
+      mine.head[i] = lane(point.head[i], l);
+      mine.tail[i] = lane(point.tail[i], l);
+    }
+    return mine;
+  }
+  auto state_of(const compensated_point<vec<double, dimension>>& there) const {
+    return system.from_canonical(there.head);
+  }
+  const System& of() const { return system; }
+};
+
+// `Stepper` over lanes, `One` the same over plain numbers, through which a trajectory comes in. The feed gives and
+// takes:
+//     next(one)                            places a trajectory in the stepper and tells its number, or no_trajectory
+//     output(trajectory, place, state)     at a time of the task's
+//     event(trajectory, place, t, state)   an event of the task's
+//     finish(lane_end)                     how it ended
+//     go_on()                              asked now and then; false ends all
+template <class Stepper, class One, class Feed>
 class lanes_run {
  public:
   using S = typename Stepper::S;
   static constexpr int width = lanes<S>::count;
+  // Events need a stepper that tells how far its quantities can go within a step.
+  static constexpr bool finds_events = requires(const Stepper& one_of_lanes) { one_of_lanes.angle_reach(0); };
 
-  lanes_run(Stepper& stepper, One& one, double t0, double end, std::int64_t step_limit)
-      : stepper_(stepper), one_(one), t0_(t0), end_(end), direction_(end < t0 ? -1.0 : 1.0), step_limit_(step_limit) {}
+  lanes_run(Stepper& stepper, One& one, const lanes_task& task, Feed& feed)
+      : stepper_(stepper), one_(one), task_(task), feed_(feed), direction_(task.end < task.t0 ? -1.0 : 1.0) {}
 
-  // Runs trajectories 0 … count − 1 to the end. start(n, one) places one of them in the stepper of plain numbers;
-  // finish(lane_end, state) is told of each as it ends.
-  template <class Start, class Finish>
-  void all(std::size_t count, Start&& start, Finish&& finish) {
-    count_ = count;
-    for (int l = 0; l < width; ++l) load(l, start);
+  void all() {
+    for (int l = 0; l < width; ++l) load(l);
     while (running_ > 0) {
       stepper_.expand(direction_);
-      const S h = stepper_.length(), left = (S(end_) - time_.head[0]) - time_.tail[0];
+      const S h = stepper_.length(), left = since_step(S(task_.end));
       const auto arrived = opposite(less(S(direction_) * h, S(direction_) * left));
       const auto next = stepper_.after(h);
       const auto well = finite<S>(next.head);
       ++steps_;
-      if (!any_lane(arrived) && all_lanes(well) && steps_ < soonest_limit_) {
-        proceed(next, h);
-        continue;
-      }
-      const auto y = stepper_.state_of(stepper_.after(choose(arrived, left, S(0.0))));
-      proceed(next, h);
-      for (int l = 0; l < width; ++l) {
-        if (lane_end end = end_of(l, lane_of(arrived, l), lane_of(well, l)); end.trajectory != none) {
-          finish(end, state_of_lane(y, l));
-          load(l, start);
-        }
-      }
+      S stop = choose(arrived, left, h);
+      bool terminated = false;
+      if constexpr (finds_events) terminated = !task_.events.empty() && tell_events(well, stop);
+      if (!task_.times.empty()) tell_outputs(well, stop);
+      const auto stopped = time_.moved_by({choose(well, stop, S(0.0))}).head[0];
+      stepper_.proceed(next);
+      time_ = time_.moved_by({h});
+      if (any_lane(arrived) || !all_lanes(well) || terminated || steps_ >= soonest_limit_)
+        change(arrived, well, stopped);
+      if (steps_ % between_polls == 0 && !feed_.go_on()) return interrupt();
     }
   }
 
  private:
-  static constexpr std::size_t none = static_cast<std::size_t>(-1);
+  using System = std::remove_cvref_t<decltype(std::declval<One>().of())>;
+  using view = lane_view<Stepper, System>;
+  static constexpr std::int64_t between_polls = 1024;
 
-  template <class Start>
-  void load(int l, Start& start) {
-    if (next_ == count_) {
-      ids_[l] = none;  // what the lane goes on with is told nobody
-      stepper_.take(l, one_);
-      return;
-    }
-    start(next_, one_);
-    stepper_.take(l, one_);
-    set_lane(time_.head[0], l, t0_);
+  struct one_lane {
+    std::size_t trajectory = no_trajectory, next_output = 0;
+    std::int64_t begun = 0;
+    bool terminated = false;
+    System system{};
+    std::vector<event_tracker> trackers;
+    std::vector<std::int64_t> counts;
+  };
+
+  void load(int l) {
+    one_lane& mine = lanes_[l];
+    mine.trajectory = feed_.next(one_);
+    stepper_.take(l, one_);  // where none is left, what the lane goes on with is told nobody
+    set_lane(time_.head[0], l, task_.t0);
     set_lane(time_.tail[0], l, 0.0);
-    ids_[l] = next_++;
-    begun_[l] = steps_;
+    mine.next_output = mine.trajectory == no_trajectory ? task_.times.size() : 0;
+    wait_for_output(l);
+    if (mine.trajectory == no_trajectory) return;
+    mine.begun = steps_;
+    mine.terminated = false;
+    mine.system = one_.of();
+    mine.trackers.clear();
+    for (const event& each : task_.events) mine.trackers.emplace_back(each, static_cast<int>(mine.trackers.size()));
+    mine.counts.assign(task_.events.size(), 0);
     ++running_;
-    soonest_limit_ = std::min(soonest_limit_, steps_ + step_limit_);
+    soonest_limit_ = std::min(soonest_limit_, steps_ + task_.step_limit);
   }
 
-  // How a lane's trajectory has ended, or none if it has not.
-  lane_end end_of(int l, bool arrived, bool well) {
-    const std::int64_t taken = steps_ - begun_[l];
-    const bool goes_on = well && !arrived && taken < step_limit_;
-    if (goes_on || ids_[l] == none) return {none, outcome::reached_end, 0};
-    --running_;
-    return {ids_[l], well ? (arrived ? outcome::reached_end : outcome::step_limit) : outcome::not_finite, taken};
+  S since_step(S t) const { return (t - time_.head[0]) - time_.tail[0]; }
+
+  void wait_for_output(int l) {
+    const std::size_t next = lanes_[l].next_output;
+    set_lane(due_, l,
+             next < task_.times.size() ? task_.times[next] : direction_ * std::numeric_limits<double>::infinity());
+  }
+
+  // The outputs up to `stop` in the step of each lane.
+  template <class Mask>
+  void tell_outputs(Mask well, S stop) {
+    for (bool any = true; any;) {
+      const S tau = since_step(due_);
+      const auto hit = both(well, opposite(less(stop * S(direction_), tau * S(direction_))));
+      if (!any_lane(hit)) return;
+      const auto y = stepper_.state_of(stepper_.after(choose(hit, tau, S(0.0))));
+      any = false;
+      for (int l = 0; l < width; ++l) {
+        one_lane& mine = lanes_[l];
+        if (!lane_of(hit, l) || mine.next_output == task_.times.size()) continue;
+        feed_.output(mine.trajectory, mine.next_output++, state_of_lane(y, l));
+        wait_for_output(l);
+        any = true;
+      }
+    }
+  }
+
+  // Whether one of the events ends a trajectory, at the time its `stop` then is.
+  template <class Mask>
+  bool tell_events(Mask well, S& stop) {
+    bool terminated = false;
+    for (std::size_t i = 0; i < task_.events.size(); ++i) {
+      const auto near = both(well, may_cross(task_.events[i]));
+      if (!any_lane(near)) continue;
+      for (int l = 0; l < width; ++l) {
+        one_lane& mine = lanes_[l];
+        if (!lane_of(near, l) || mine.trajectory == no_trajectory) continue;
+        const view step{stepper_, mine.system, l};
+        mine.trackers[i].find(step, lane(stop, l) / step.length(), found_[l]);
+      }
+    }
+    for (int l = 0; l < width; ++l)
+      if (!found_[l].empty() && tell_found(l, stop)) terminated = true;
+    return terminated;
+  }
+
+  bool tell_found(int l, S& stop) {
+    one_lane& mine = lanes_[l];
+    const view step{stepper_, mine.system, l};
+    std::stable_sort(found_[l].begin(), found_[l].end(),
+                     [this](const crossing& a, const crossing& b) { return a.tau * direction_ < b.tau * direction_; });
+    for (const crossing& each : found_[l]) {
+      const double t = two_sum(lane(time_.head[0], l), each.tau + lane(time_.tail[0], l)).head;
+      feed_.event(mine.trajectory, each.event, t, step.state_of(step.after(each.tau)));
+      if (++mine.counts[each.event] != task_.events[each.event].at_most) continue;
+      set_lane(stop, l, each.tau);
+      mine.terminated = true;
+      break;
+    }
+    found_[l].clear();
+    return mine.terminated;
+  }
+
+  // Where the event's quantity can come to its target in this step. A tracker need not look at the other steps: in them
+  // the motion stays in the gap it was in.
+  auto may_cross(const event& what) const {
+    const auto everywhere = equal(S(0.0), S(0.0));
+    if (what.kind == event_kind::tip_height) return everywhere;
+    const bool of_angle = what.kind == event_kind::angle;
+    const S start = of_angle ? stepper_.angle(what.index) : stepper_.velocity(what.index);
+    const S reach = of_angle ? stepper_.angle_reach(what.index) : stepper_.velocity_reach(what.index);
+    S away = start - S(what.value);
+    if (what.every_turn) away = away - nearest_whole(away * S(1.0 / detail::turn_head)) * S(detail::turn_head);
+    const S margin = S(0x1p-30) * (reach + magnitude(start) + S(std::fabs(what.value)));
+    return opposite(less(reach + margin, magnitude(away)));
+  }
+
+  // Trajectories that have ended make room for the next.
+  template <class Mask>
+  void change(Mask arrived, Mask well, S stopped) {
+    soonest_limit_ = std::numeric_limits<std::int64_t>::max();
+    for (int l = 0; l < width; ++l) {
+      one_lane& mine = lanes_[l];
+      if (mine.trajectory == no_trajectory) continue;
+      std::int64_t taken = steps_ - mine.begun;
+      outcome how = outcome::step_limit;
+      double reached = lane(stopped, l);
+      if (!lane_of(well, l)) {
+        how = outcome::not_finite;
+        --taken;
+      } else if (mine.terminated) {
+        how = outcome::event;
+      } else if (lane_of(arrived, l)) {
+        how = outcome::reached_end;
+        reached = task_.end;
+      } else if (taken < task_.step_limit) {
+        soonest_limit_ = std::min(soonest_limit_, mine.begun + task_.step_limit);
+        continue;
+      }
+      --running_;
+      feed_.finish({mine.trajectory, how, taken, reached});
+      load(l);
+    }
+  }
+
+  void interrupt() {
+    for (int l = 0; l < width; ++l)
+      if (const one_lane& mine = lanes_[l]; mine.trajectory != no_trajectory)
+        feed_.finish({mine.trajectory, outcome::interrupted, steps_ - mine.begun, lane(time_.head[0], l)});
   }
 
   static auto state_of_lane(const typename Stepper::state& y, int l) {
@@ -91,20 +250,17 @@ class lanes_run {
     return mine;
   }
 
-  void proceed(const typename Stepper::point& next, S h) {
-    stepper_.proceed(next);
-    time_ = time_.moved_by({h});
-  }
-
   Stepper& stepper_;
   One& one_;
-  double t0_, end_, direction_;
-  std::int64_t step_limit_, steps_ = 0, soonest_limit_ = std::numeric_limits<std::int64_t>::max();
-  std::size_t count_ = 0, next_ = 0;
+  const lanes_task& task_;
+  Feed& feed_;
+  double direction_;
+  std::int64_t steps_ = 0, soonest_limit_ = std::numeric_limits<std::int64_t>::max();
   int running_ = 0;
   compensated_point<vec<S, 1>> time_;
-  std::array<std::size_t, width> ids_;
-  std::array<std::int64_t, width> begun_;
+  S due_;  // the next output
+  std::array<one_lane, width> lanes_;
+  std::array<std::vector<crossing>, width> found_;
 };
 
 }  // namespace pendula

@@ -6,8 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <concepts>
-#include <limits>
 
 #include "pendula/drive/shadow_kernels.hpp"
 #include "pendula/scalar/wide.hpp"

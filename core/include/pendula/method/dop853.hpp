@@ -20,10 +20,14 @@ class dop853_stepper {
   using point = compensated_point<state>;
   static_assert(is_machine_number<S>, "the coefficients are known to as many digits as a double has");
 
-  dop853_stepper(const Sys& system, double log2_of_tolerance)
-      : system_(system),
-        tolerance_(rough_exp2(log2_of_tolerance)),
-        frequency_(square_root(system.largest_frequency_squared())) {
+  dop853_stepper(const Sys& system, double log2_of_tolerance) : tolerance_(rough_exp2(log2_of_tolerance)) {
+    change(system);
+  }
+
+  // Takes another system.
+  void change(const Sys& system) {
+    system_ = system;
+    frequency_ = square_root(system.largest_frequency_squared());
     const S period = S(6.283185307179586) / frequency_;
     shortest_ = S(0x1p-40) * period;
     longest_ = period;  // also at rest, where no error limits it
@@ -240,7 +244,7 @@ class dop853_stepper {
   template <SystemOver>
   friend class dop853_stepper;
 
-  Sys system_;
+  Sys system_{};
   S tolerance_, frequency_, shortest_, longest_;
   memory now_;
   S length_, proposed_;
@@ -259,7 +263,6 @@ struct dop853 {
   static constexpr int order = 8;
   static constexpr int evaluations_per_step = 12;  // the last slope of a step is the first of the next
   static constexpr bool adaptive = true, symplectic = false;
-  static constexpr double best_tolerance = 0x1p-52;
   static constexpr std::string_view source = "Hairer, Nørsett & Wanner (1993), dop853.f";
 
   template <SystemOver Sys>

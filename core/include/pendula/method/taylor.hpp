@@ -28,8 +28,7 @@ class taylor_stepper {
   }
 
   taylor_stepper(const Sys& system, double log2_of_tolerance)
-      : system_(system),
-        order_(order_for(log2_of_tolerance)),
+      : order_(order_for(log2_of_tolerance)),
         series_(order_),
         inverse_(static_cast<std::size_t>(order_) + 2),
         log2_of_error_(log2_of_tolerance - 5.0) {
@@ -38,9 +37,14 @@ class taylor_stepper {
       inverse_[k] = S(1.0) / S(static_cast<double>(k));
       log2_of_factorial += rough_log2(static_cast<double>(k));
     }
-    // a little more than the step of a small swing with the highest frequency: for what has no last terms, such as rest
-    const double reach = 1.1 * rough_exp2((log2_of_error_ + log2_of_factorial) / (order_ + 1));
-    longest_ = R(reach) / square_root(rough(system.largest_frequency_squared()));
+    longest_phase_ = 1.1 * rough_exp2((log2_of_error_ + log2_of_factorial) / (order_ + 1));
+    change(system);
+  }
+
+  // Takes another system.
+  void change(const Sys& system) {
+    system_ = system;
+    longest_ = R(longest_phase_) / square_root(rough(system.largest_frequency_squared()));
   }
 
   // Places the motion at a state (θ…, ω…). Errors are in parts of a radian, or of the amplitude of a small swing.
@@ -90,21 +94,39 @@ class taylor_stepper {
     set_lane(log2_of_scale_, l, from.log2_of_scale_);
   }
 
-  // Of the step's motion, on [0, 1] for the whole of it.
-  polynomial angle_polynomial(int i) const {
+  // Of the step's motion in a lane, on [0, 1] for the whole of it.
+  polynomial angle_polynomial(int i, int l = 0) const {
     polynomial p;
     p.degree = order_;
-    p.coefficient[0] = at_.head[i];
+    p.coefficient[0] = lane(at_.head[i], l);
     double power = 1.0;
-    for (int k = 1; k <= order_; ++k) p.coefficient[k] = series_.velocity(i, k - 1) * inverse_[k] * (power *= length_);
+    for (int k = 1; k <= order_; ++k)
+      p.coefficient[k] = lane(series_.velocity(i, k - 1) * inverse_[k], l) * (power *= lane(length_, l));
     return p;
   }
-  polynomial velocity_polynomial(int i) const {
+  polynomial velocity_polynomial(int i, int l = 0) const {
     polynomial p;
     p.degree = order_ - 1;
     double power = 1.0;
-    for (int k = 0; k < order_; ++k, power *= length_) p.coefficient[k] = series_.velocity(i, k) * power;
+    for (int k = 0; k < order_; ++k, power *= lane(length_, l))
+      p.coefficient[k] = lane(series_.velocity(i, k), l) * power;
     return p;
+  }
+
+  // Angle and velocity at the start of the step, and how far from there they can be in it.
+  S angle(int i) const { return at_.head[i]; }
+  S velocity(int i) const { return series_.velocity(i, 0); }
+  PENDULA_INLINE S angle_reach(int i) const {
+    const S h = magnitude(length_);
+    S sum(0.0);
+    for (int k = order_; k >= 1; --k) sum = (sum + magnitude(series_.velocity(i, k - 1)) * inverse_[k]) * h;
+    return sum;
+  }
+  PENDULA_INLINE S velocity_reach(int i) const {
+    const S h = magnitude(length_);
+    S sum(0.0);
+    for (int k = order_ - 1; k >= 1; --k) sum = (sum + magnitude(series_.velocity(i, k))) * h;
+    return sum;
   }
 
  private:
@@ -128,11 +150,13 @@ class taylor_stepper {
   template <SystemOver>
   friend class taylor_stepper;
 
-  Sys system_;
+  Sys system_{};
   int order_;
   series<Sys> series_;
   std::vector<S> inverse_;  // 1/k
   double log2_of_error_;
+  // a little more than the step of a small swing with the highest frequency: for what has no last terms, such as rest
+  double longest_phase_;
   R longest_, log2_of_scale_, length_;
   std::int64_t expansions_ = 0;
   point at_;
@@ -143,7 +167,6 @@ struct taylor {
   static constexpr int order = 20;                // at the best tolerance
   static constexpr int evaluations_per_step = 1;  // of the series
   static constexpr bool adaptive = true, symplectic = false;
-  static constexpr double best_tolerance = 0x1p-52;
   static constexpr std::string_view source = "Jorba & Zou, Exp. Math. 14 (2005) 99";
 
   template <SystemOver Sys>

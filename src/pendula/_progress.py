@@ -1,0 +1,12 @@
+"""How far work has come that is made of parts."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+Progress = Callable[[float], None] | None
+
+
+def part(progress: Progress, start: float, end: float) -> Progress:
+    """Progress of a part of the work, told as that of the whole."""
+    return progress and (lambda share: progress(start + (end - start) * share))
