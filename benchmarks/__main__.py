@@ -6,7 +6,7 @@ import subprocess
 import sys
 from pathlib import Path
 
-from benchmarks import exact, peers, taylor
+from benchmarks import ensembles, exact, peers, taylor
 
 ROOT = Path(__file__).resolve().parent.parent
 BUILD = ROOT / "build" / "benchmarks"
@@ -66,10 +66,17 @@ def main() -> None:
     print(
         f"1 lane ÷ 4 lanes, AVX2:           {ns['C++ 1 lane, AVX2'] / lanes:6.2f}   (asked: ≥ 3.3)"
     )
-    print(f"bare loop ÷ 4 lanes, AVX2:        {libm / lanes:6.2f}   (asked: ≥ 5)\n")
+    print(f"bare loop ÷ 4 lanes, AVX2:        {libm / lanes:6.2f}   (asked: ≥ 5)")
+    together = next(value for name, value in rows if name.startswith("pendula.ensemble"))
+    for name, asked in (("numba", 7), ("numpy", 15), ("JAX", 15)):
+        for theirs in (value for other, value in rows if other.startswith(name)):
+            print(f"{name} ÷ pendula.ensemble:{theirs / together:16.2f}   (asked: ≥ {asked})")
+    print()
     exact.report()
     print()
     taylor.report(BUILD)
+    print()
+    ensembles.report()
 
 
 if __name__ == "__main__":

@@ -14,9 +14,9 @@ import pytest
 
 import pendula
 from pendula import _engine
+from pendula._times import spaced
 from pendula.cli import app, main
 from pendula.cli.plots import curve
-from pendula.cli.run import spaced
 from pendula.cli.solve import _times
 
 if TYPE_CHECKING:

@@ -7,33 +7,27 @@
 #include "attendance.hpp"
 #include "described.hpp"
 #include "pendula/drive/fixed.hpp"
+#include "pendula/drive/fixed_kernels.hpp"
 
 using namespace pendula_python;
 using namespace nb::literals;
-using pendula::fixed_output;
 
 namespace {
 
-struct run_arguments {
-  std::vector<double> state;
-  double step;
-  std::int64_t step_limit;
-  const std::vector<fixed_output>& outputs;
-  const attendance& go_on;
-};
+struct rows final : pendula_kernels::fixed_receiver {
+  rows(double* states, std::size_t dimension, const attendance& attending)
+      : states(states), dimension(dimension), attending(attending) {}
 
-template <class Method, class Sys>
-  requires pendula::StepsOver<Method, Sys>
-pendula::lane_result run(const Sys& system, const run_arguments& given, double* states) {
-  typename Sys::state start;
-  if (given.state.size() != Sys::dimension)
-    throw nb::value_error("another number of components than the system's state");
-  std::ranges::copy(given.state, start.begin());
-  const auto sink = [&](std::size_t i, const auto& y) { std::ranges::copy(y, states + i * Sys::dimension); };
-  nb::gil_scoped_release released;
-  pendula::fixed_run<Method, Sys> drive(system, start, given.step, given.step_limit);
-  return drive.through(given.outputs, sink, given.go_on)[0];
-}
+  bool output(std::size_t place, const double* y) override {
+    std::copy_n(y, dimension, states + place * dimension);
+    return true;
+  }
+  bool go_on(std::int64_t steps) override { return attending(steps); }
+
+  double* states;
+  std::size_t dimension;
+  const attendance& attending;
+};
 
 // (times, states, reached, outcome, steps, evaluations): times (n,) and states (n, d) hold room for every output, of
 // which `reached` were reached.
@@ -44,20 +38,16 @@ auto solve_fixed(const description& d, const std::string& method, const std::vec
                               : pendula::requested_times(t0, step, {times.data(), times.shape(0)});
   new_array t({plan.outputs.size()}), states({plan.outputs.size(), state.size()});
   std::ranges::copy(plan.times, t.data);
-  pendula::lane_result result;
-  with_system(d, [&](const auto& system) {
-    const bool found = pendula::with<pendula::fixed_methods>(method, [&]<class Method>() {
-      if constexpr (Method::template takes<std::remove_cvref_t<decltype(system)>>) {
-        result = run<Method>(system, {state, step, step_limit, plan.outputs, go_on}, states.data);
-      } else {
-        throw nb::value_error("a method that does not take this system");
-      }
-    });
-    if (!found) throw nb::value_error("no such method in the catalogue");
-  });
-  if (result.ended == pendula::outcome::interrupted) throw nb::python_error();
-  return std::tuple(t.array, states.array, result.outputs, pendula::name_of(result.ended), result.steps,
-                    result.evaluations);
+  rows told(states.data, state.size(), go_on);
+  pendula_kernels::fixed_outcome result;
+  {
+    nb::gil_scoped_release released;
+    result = pendula_kernels::fixed_plain.run(
+        {d.system, d.form, d.parameters.data(), method, state.data(), step, step_limit}, plan.outputs, told);
+  }
+  const auto ended = static_cast<pendula::outcome>(result.ended);
+  if (ended == pendula::outcome::interrupted) throw nb::python_error();
+  return std::tuple(t.array, states.array, result.outputs, pendula::name_of(ended), result.steps, result.evaluations);
 }
 
 }  // namespace

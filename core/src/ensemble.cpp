@@ -2,28 +2,17 @@
 #include <vector>
 
 #include "pendula/drive/ensemble_kernels.hpp"
-#include "pendula/drive/outcome.hpp"
+#include "pendula/drive/fixed.hpp"
 
 namespace pendula_kernels {
 
-extern const lanes_kernel adaptive_lanes_plain, fixed_lanes_plain;
 #ifdef PENDULA_X86_KERNELS
 extern const lanes_kernel adaptive_lanes_avx2, adaptive_lanes_avx512, fixed_lanes_avx2;
+#else
+extern const lanes_kernel adaptive_lanes_plain, fixed_lanes_plain;
 #endif
 
 namespace {
-
-// 0: plain, 1: AVX2, 2: AVX-512.
-std::size_t machine_of_processor() {
-#ifdef PENDULA_X86_KERNELS
-  if (!__builtin_cpu_supports("avx2") || !__builtin_cpu_supports("fma")) return 0;
-  const bool wider =
-      __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl");
-  return wider ? 2 : 1;
-#else
-  return 0;
-#endif
-}
 
 // One trajectory of an ensemble, as the run of a single one tells of it.
 struct one_of_many : receiver {
@@ -38,14 +27,42 @@ struct one_of_many : receiver {
   std::size_t trajectory, place = 0;
 };
 
+struct fixed_one_of_many : fixed_receiver {
+  fixed_one_of_many(ensemble_receiver& to, std::size_t trajectory) : to(to), trajectory(trajectory) {}
+
+  bool output(std::size_t place, const double* y) override {
+    to.output(trajectory, place, y);
+    return true;
+  }
+  bool go_on(std::int64_t) override { return to.go_on(); }
+
+  ensemble_receiver& to;
+  std::size_t trajectory;
+};
+
+double reached_by(const fixed_outcome& result, const ensemble_request& asked) {
+  if (static_cast<pendula::outcome>(result.ended) == pendula::outcome::reached_end) return asked.end;
+  return asked.t0 + static_cast<double>(result.steps) * asked.step;
+}
+
 void run_one_by_one(const ensemble_request& asked, std::size_t dimension, ensemble_receiver& to) {
-  for (std::size_t n; to.go_on() && (n = to.next()) != no_more;) {
-    one_of_many told(to, n);
-    const adaptive_outcome result = all_adaptive().back()->solve(
-        {asked.system, asked.form, asked.parameters + n * asked.parameters_apart, asked.method,
-         asked.states + n * dimension, asked.t0, asked.end, asked.log2_of_tolerance, asked.step_limit},
-        asked.times, asked.events, told);
-    to.finish(n, result.ended, result.steps, result.reached);
+  const auto places = pendula::requested_times(asked.t0, asked.step, asked.times).outputs;
+  for (std::size_t n; (n = to.next()) != no_more;) {
+    const double* const parameters = asked.parameters + n * asked.parameters_apart;
+    const double* const state = asked.states + n * dimension;
+    if (asked.step != 0.0) {
+      fixed_one_of_many told(to, n);
+      const fixed_outcome result = fixed_plain.run(
+          {asked.system, asked.form, parameters, asked.method, state, asked.step, asked.step_limit}, places, told);
+      to.finish(n, result.ended, result.steps, reached_by(result, asked));
+    } else {
+      one_of_many told(to, n);
+      const adaptive_outcome result =
+          all_adaptive().back()->solve({asked.system, asked.form, parameters, asked.method, state, asked.t0, asked.end,
+                                        asked.log2_of_tolerance, asked.step_limit},
+                                       asked.times, asked.events, told);
+      to.finish(n, result.ended, result.steps, result.reached);
+    }
   }
 }
 
@@ -60,31 +77,34 @@ void run_none(const ensemble_request& asked, std::size_t dimension, ensemble_rec
 }  // namespace
 
 std::span<const lanes_kernel* const> all_adaptive_lanes() {
-  static const lanes_kernel* const kernels[] = {
-      &adaptive_lanes_plain,
 #ifdef PENDULA_X86_KERNELS
-      &adaptive_lanes_avx2,
-      &adaptive_lanes_avx512,
+  static const lanes_kernel* const kernels[] = {&adaptive_lanes_avx2, &adaptive_lanes_avx512};
+  if (!__builtin_cpu_supports("avx2") || !__builtin_cpu_supports("fma")) return {};
+  const bool wider =
+      __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl");
+  return {kernels, std::size_t{wider ? 2u : 1u}};
+#else
+  static const lanes_kernel* const kernels[] = {&adaptive_lanes_plain};
+  return kernels;
 #endif
-  };
-  return {kernels, machine_of_processor() + 1};
 }
 
 std::span<const lanes_kernel* const> all_fixed_lanes() {
-  static const lanes_kernel* const kernels[] = {
-      &fixed_lanes_plain,
 #ifdef PENDULA_X86_KERNELS
-      &fixed_lanes_avx2,
+  static const lanes_kernel* const kernels[] = {&fixed_lanes_avx2};
+  if (all_adaptive_lanes().empty()) return {};
+#else
+  static const lanes_kernel* const kernels[] = {&fixed_lanes_plain};
 #endif
-  };
-  return {kernels, machine_of_processor() > 0 ? std::size(kernels) : 1};
+  return kernels;
 }
 
 void run_ensemble(const ensemble_request& asked, std::size_t dimension, ensemble_receiver& to) {
   if (asked.end == asked.t0) return run_none(asked, dimension, to);
-  if (asked.step != 0.0) return all_fixed_lanes().back()->run(asked, to);
-  if (asked.events.empty() || asked.method == "taylor") return all_adaptive_lanes().back()->run(asked, to);
-  run_one_by_one(asked, dimension, to);
+  const auto kernels = asked.step != 0.0 ? all_fixed_lanes() : all_adaptive_lanes();
+  const bool lanes_find_events = asked.events.empty() || asked.method == "taylor";
+  if (kernels.empty() || !lanes_find_events) return run_one_by_one(asked, dimension, to);
+  kernels.back()->run(asked, to);
 }
 
 }  // namespace pendula_kernels

@@ -3,6 +3,7 @@
 #include "pendula/catalog.hpp"
 #include "pendula/drive/adaptive.hpp"
 #include "pendula/drive/fixed.hpp"
+#include "pendula/drive/fixed_kernels.hpp"
 #include "pendula/drive/trust.hpp"
 
 namespace pendula {
@@ -39,21 +40,37 @@ std::optional<double> of_adaptive(Stepper& stepper, const horizon_request& asked
 }
 
 // Steps where the run has them, at t0 + n h, and the shortened one at the end.
-template <class Method, class Sys>
-std::optional<double> of_fixed(const Sys& system, const typename Sys::state& start, const horizon_request& asked,
-                               parting& from, const poll& go_on) {
-  constexpr std::int64_t between_polls = 4096;
-  auto at = Method::begin(system, start);
-  const fixed_output last = place_on_grid(asked.end, asked.t0, asked.step);
-  for (std::int64_t n = 1; n <= last.steps; ++n) {
-    at = Method::step(system, at, asked.step);
-    const wide<double> time = wide<double>(two_product(static_cast<double>(n), asked.step)) + wide<double>(asked.t0);
-    if (!from.right(time, Method::state_of(system, at))) return rounded(time);
-    if (n % between_polls == 0 && !go_on(rounded(time))) return std::nullopt;
+struct step_watcher final : pendula_kernels::fixed_receiver {
+  step_watcher(const horizon_request& asked, parting& from, const poll& go_on)
+      : asked(asked), from(from), ask(go_on), last(place_on_grid(asked.end, asked.t0, asked.step)) {}
+
+  bool output(std::size_t place, const double* y) override {
+    constexpr std::int64_t between_polls = 4096;
+    const auto n = static_cast<std::int64_t>(place);
+    const wide<double> on_grid = wide<double>(two_product(static_cast<double>(n), asked.step)) + wide<double>(asked.t0);
+    const wide<double> time = n > last.steps ? wide<double>(asked.end) : on_grid;
+    const bool right = from.right(time, std::span(y, asked.state.size()));
+    if (!right) horizon = rounded(time);
+    if (n % between_polls == 0) going_on = ask(rounded(time));
+    return right && going_on;
   }
-  if (last.rest == 0.0) return never;
-  const auto there = Method::state_of(system, Method::step(system, at, last.rest));
-  return from.right(wide<double>(asked.end), there) ? never : asked.end;
+  bool go_on(std::int64_t) override { return true; }
+
+  const horizon_request& asked;
+  parting& from;
+  const poll& ask;
+  fixed_output last;
+  double horizon = never;
+  bool going_on = true;
+};
+
+std::optional<double> of_fixed(const horizon_request& asked, parting& from, const poll& go_on) {
+  step_watcher watching(asked, from, go_on);
+  pendula_kernels::fixed_plain.each_step({asked.system, asked.form, asked.parameters.data(), asked.method,
+                                          asked.state.data(), asked.step, std::numeric_limits<std::int64_t>::max()},
+                                         watching.last, watching);
+  if (!watching.going_on && watching.horizon == never) return std::nullopt;
+  return watching.horizon;
 }
 
 template <class Entry>
@@ -68,9 +85,6 @@ std::optional<double> of_system(const horizon_request& asked, parting& from, con
     stepper.start(start);
     found = of_adaptive(stepper, asked, from, go_on);
   });
-  with<fixed_methods>(asked.method, [&]<class Method>() {
-    if constexpr (StepsOver<Method, Sys>) found = of_fixed<Method>(system, start, asked, from, go_on);
-  });
   return found;
 }
 
@@ -81,6 +95,7 @@ std::optional<double> trust_horizon(const horizon_request& asked, const poll& go
   const auto beside = pendula_kernels::best_shadow_maker().make(
       {asked.system, asked.form, asked.parameters.data(), asked.state.data(), asked.t0, direction});
   parting from(*beside, asked.certify, direction);
+  if (asked.step != 0.0) return of_fixed(asked, from, go_on);
   std::optional<double> found;
   with<systems>(asked.system, [&]<class Entry>() { found = of_system<Entry>(asked, from, go_on); });
   return found;

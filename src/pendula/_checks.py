@@ -91,13 +91,13 @@ def check_finite(name: str, array: NDArray[np.float64], unit: str = "") -> None:
 
 
 def states_array(
-    value: ArrayLike, components: tuple[str, ...], *, finite: bool = True
+    value: ArrayLike, components: tuple[str, ...], *, finite: bool = True, name: str = "state"
 ) -> NDArray[np.float64]:
     """`value` as states of shape (..., d), finite unless the caller sees to that."""
-    states = (finite_array if finite else numbers_array)("state", value)
+    states = (finite_array if finite else numbers_array)(name, value)
     if states.ndim == 0 or states.shape[-1] != len(components):
         raise ValueError(
-            f"state must be ({', '.join(components)}) or an array of such rows, "
+            f"{name} must be ({', '.join(components)}) or an array of such rows, "
             f"got shape {states.shape}"
         )
     return states

@@ -6,7 +6,7 @@ import math
 import os
 from collections.abc import Iterable
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from pendula import _engine
 from pendula._arguments import (
@@ -17,7 +17,7 @@ from pendula._arguments import (
     output_times,
     step_size,
 )
-from pendula._checks import LARGEST_COUNT, finite_array, finite_number, states_array, whole_number
+from pendula._checks import LARGEST_COUNT, finite_number, states_array, whole_number
 from pendula._progress import part
 from pendula.events import checked_events
 from pendula.solving import check_together, checked_certify
@@ -89,10 +89,11 @@ class Ensemble:
         """Total energy at the outputs, (n, m) [J]."""
         import numpy as np
 
-        if isinstance(self.systems, System):
-            return self.systems.energy(self.states)
+        systems = (self.systems,) if isinstance(self.systems, System) else self.systems
+        if len(systems) == 1:
+            return systems[0].energy(self.states)
         return np.stack(
-            [each.energy(mine) for each, mine in zip(self.systems, self.states, strict=True)]
+            [each.energy(mine) for each, mine in zip(systems, self.states, strict=True)]
         )
 
 
@@ -217,6 +218,8 @@ def run_task(
         horizons = _engine.trust_horizons(
             *common, reached, *accuracy, task.certify, threads, part(progress, share, 1.0)
         )
+    if progress is not None:
+        progress(1.0)
     outcomes = np.array(_engine.OUTCOMES)[ended]
     return (
         found,
@@ -243,12 +246,13 @@ def _checked_systems(system: System | Sequence[System]) -> tuple[System, ...]:
     """The systems, one or as many as there are states, all of a kind."""
     if isinstance(system, System):
         return (system,)
-    systems: tuple[System, ...] = tuple(system) if isinstance(system, Iterable) else (system,)
+    one = isinstance(system, str) or not isinstance(system, Iterable)
+    systems: tuple[Any, ...] = (system,) if one else tuple(system)
     for each in systems:
         check_system(each)
     kinds = {(each.name, each.form) for each in systems}
     if len(kinds) != 1:
-        told = ", ".join(sorted(" ".join(kind) for kind in kinds)) or "none"
+        told = ", ".join(sorted(" ".join(kind).strip() for kind in kinds)) or "none"
         raise ValueError(
             f"system must be one pendulum, or n of the same kind and form, got {told}; "
             "make an ensemble of each kind"
@@ -260,7 +264,7 @@ def _checked_rows(systems: tuple[System, ...], states: ArrayLike) -> tuple[Array
     """Starts (n, d) and parameters (n, p) or (1, p)."""
     import numpy as np
 
-    starts = finite_array("states", states_array(states, systems[0].components))
+    starts = states_array(states, systems[0].components, name="states")
     if starts.ndim == 1:
         starts = np.tile(starts, (len(systems), 1))
     if starts.ndim != 2 or (len(systems) > 1 and len(systems) != len(starts)):

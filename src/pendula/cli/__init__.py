@@ -32,11 +32,12 @@ def main(arguments: Sequence[str] | None = None) -> int:
         from pendula.cli.app import run
 
         return run(arguments)
-    except BaseException:  # a compiled module's import turns Ctrl-C into an error of its own
+    except BaseException as error:  # a compiled module's import turns Ctrl-C into one of its own
         if not interrupted:
             raise
+        told = f"; {error}" if isinstance(error, KeyboardInterrupt) and str(error) else ""
         if sys.stderr is not None:  # print would take stdout in its place
-            print("pendula: interrupted", file=sys.stderr)
+            print(f"pendula: interrupted{told}", file=sys.stderr)
         return INTERRUPTED
     finally:
         if signal.getsignal(signal.SIGINT) is interrupt:

@@ -13,7 +13,7 @@ import click
 
 from pendula import __version__
 from pendula._checks import MissingExtraError
-from pendula.cli import compare, exact, methods, period, solve, study
+from pendula.cli import compare, exact, map, methods, period, solve, study, sweep
 from pendula.cli.groups import ChoiceGroup
 from pendula.cli.wording import one_line
 
@@ -40,7 +40,7 @@ def _pendula() -> None:
     """A laboratory for the simple and the double pendulum."""
 
 
-for module in (solve, exact, period, methods, compare, study):
+for module in (solve, exact, period, methods, compare, map, sweep, study):
     _pendula.add_command(module.command)
 
 

@@ -6,7 +6,7 @@ import math
 from typing import TYPE_CHECKING
 
 from pendula import _engine
-from pendula._checks import whole_number
+from pendula._checks import LARGEST_COUNT, whole_number
 from pendula.cli.tables import chosen_rows, digits_of, table
 
 if TYPE_CHECKING:
@@ -19,7 +19,6 @@ EXAMPLES = "'flip 1', 'angle 1 0deg rising', 'velocity-zero 2' or 'tip-height 50
 _NAME = "--event"
 _DIRECTIONS = {"rising": 1, "falling": -1}
 _END, _EVERY_TURN = "end", "every-turn"
-_MOST = 2**53
 
 
 def event_of(text: str) -> Event:
@@ -116,7 +115,7 @@ def _taken_end(words: list[str], text: str) -> int:
     del words[place]
     if place == len(words) or not words[place].isdigit():
         return 1
-    return whole_number(f"{_NAME}: the number after end", int(words.pop(place)), _MOST)
+    return whole_number(f"{_NAME}: the number after end", int(words.pop(place)), LARGEST_COUNT)
 
 
 def _misread(text: str) -> ValueError:

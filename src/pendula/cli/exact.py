@@ -11,7 +11,6 @@ from pendula.cli.run import (
     deliver,
     file_options,
     seconds,
-    spaced,
     spacing,
     span_of,
     start_time,
@@ -51,6 +50,7 @@ def _exact(entry: SystemEntry, **given: Any) -> None:
 
 
 def _times(t0: float, given: dict[str, Any]) -> list[float] | NDArray[np.float64]:
+    from pendula._times import spaced
     from pendula.units import quantities
 
     at, until, every = given["at"], given["until"], given["every"]

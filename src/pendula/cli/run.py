@@ -12,14 +12,8 @@ from pendula.cli.options import value
 if TYPE_CHECKING:
     from pathlib import Path
 
-    import numpy as np
-    from numpy.typing import NDArray
-
     from pendula.trajectory import Trajectory
 
-    Array = NDArray[np.float64]
-
-_ON_GRID = 1e-9  # of a spacing: an end nearer to the grid lies on it
 _BEYOND = "the numbers grew beyond all bounds"
 _GREW = f"{_BEYOND}; take a smaller --step or a higher order"
 _DID_NOT_SETTLE = "its equations did not settle on a step; take a smaller --step"
@@ -84,27 +78,6 @@ def check_count(span: float, every: float, name: str) -> None:
             f"{name} must give at most {MOST_OUTPUTS} outputs, got {every!r} s for "
             f"{span / every:.3g}; name more time between them with --every"
         )
-
-
-def spaced(t0: float, until: float, every: float) -> Array:
-    """Times from t0 to until, `every` apart; the last gap is shorter where it does not divide."""
-    from fractions import Fraction
-
-    import numpy as np
-
-    span = abs(until - t0)
-    numbers = np.arange(int(span / every + _ON_GRID) + 1)
-    ratio = Fraction(every).limit_denominator(10**9)  # 7 × 10 ms is 0.07 s, not 0.07000000000000001
-    exact = float(ratio) == every and int(numbers[-1]) * ratio.numerator < 2**53
-    if exact:
-        elapsed: Array = np.divide(numbers * ratio.numerator, ratio.denominator)
-    else:
-        elapsed = np.multiply(numbers, every)
-    if span - elapsed[-1] > _ON_GRID * every:
-        elapsed = np.append(elapsed, span)
-    times = t0 + elapsed if until > t0 else t0 - elapsed
-    times[-1] = until
-    return times
 
 
 def target(out: str | None, *, force: bool) -> Path | None:

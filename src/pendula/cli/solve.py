@@ -18,7 +18,6 @@ from pendula.cli.run import (
     deliver,
     file_options,
     seconds,
-    spaced,
     spacing,
     span_of,
     start_time,
@@ -108,10 +107,11 @@ def _times(
     t0: float, until: float, step: float | None, every: str | None, *, thin: bool
 ) -> float | NDArray[np.float64]:
     """The outputs asked for; without --every each step, or of a printed run every so many steps."""
-    from pendula._arguments import MOST_STEPS
+    from pendula._checks import LARGEST_COUNT
+    from pendula._times import spaced
 
     span = span_of(t0, until)
-    if step is not None and span / step > MOST_STEPS:
+    if step is not None and span / step > LARGEST_COUNT:
         raise ValueError(f"--step must be larger for a span of {span!r} s, got {step!r} s")
     if every is not None:
         apart = spacing(every, span)

@@ -13,9 +13,23 @@ _OTHER_NAMES = {
     "state": "the start",
     "i": "the rod of an --event",
     "method": "--methods",
+    "store": "--output",
+    "shape": "--size",
+    "t_max": "--until",
     **{
         name: f"--{name}"
-        for name in ("step", "tolerance", "certify", "digits", "amplitude", "until", "points")
+        for name in (
+            "step",
+            "tolerance",
+            "certify",
+            "digits",
+            "amplitude",
+            "until",
+            "points",
+            "threads",
+            "which",
+            "separation",
+        )
     },
 }
 _CALLS = {  # what Python would be told to write
@@ -24,6 +38,8 @@ _CALLS = {  # what Python would be told to write
     "give state=(theta0, omega0)": "give --theta and --omega",
     "use solve": "use pendula solve",
     "overwrite=True": "--force",
+    "resume=True": "--resume",
+    "resolve=False": "--no-resolve",
     "another folder or overwrite it": "another folder or pass --force",
 }
 

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import math
+from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
+from pendula import _engine
 from pendula._checks import finite_number, whole_number
 from pendula.chunks import Axis
 from pendula.systems import DoublePendulum
@@ -76,7 +79,8 @@ class Cells:
     def starts(self, chunk: Chunk) -> Array:
         """States (n, 4) of the cells of a chunk, row by row, and only those that are not mirrored.
 
-        Of a cell and its mirror image, it is the same one that is run, wherever they lie.
+        Of a cell and its mirror image it is the same one that is run, in any map, so that the
+        numbers are those of the cell: the last bit of an event's time is not that of its image.
         """
         import numpy as np
 
@@ -84,9 +88,9 @@ class Cells:
         first, second = (each.ravel() for each in np.meshgrid(*angles, indexing="ij"))
         count = (first.size + 1) // 2 if self._is_its_own_image(chunk) else first.size
         states = np.zeros((count, 4))
-        turned = self.symmetric & ((first < 0.0) | ((first == 0.0) & (second < 0.0)))[:count]
-        states[:, 0] = np.where(turned, -first[:count], first[:count])
-        states[:, 1] = np.where(turned, -second[:count], second[:count])
+        image = ((first < 0.0) | ((first == 0.0) & (second < 0.0)))[:count]
+        states[:, 0] = np.where(image, -first[:count], first[:count])
+        states[:, 1] = np.where(image, -second[:count], second[:count])
         return states
 
     def whole(self, chunk: Chunk, values: NDArray[np.generic]) -> NDArray[np.generic]:
@@ -110,12 +114,13 @@ def checked_cells(theta1: object, theta2: object, shape: object) -> Cells:
     Raises:
         ValueError: naming the argument.
     """
-    ranges = _checked_range("theta1", theta1), _checked_range("theta2", theta2)
-    counts = shape if isinstance(shape, tuple | list) else (shape,)
+    counts = tuple(shape) if isinstance(shape, Iterable) else (shape,)
     if len(counts) != 2:
         raise ValueError(f"shape must be two numbers of cells, such as (500, 500), got {shape!r}")
     n1, n2 = (whole_number("shape", count, MOST_CELLS) for count in counts)
-    return Cells(ranges, (n1, n2))
+    return Cells(
+        (_checked_range(NAMES[0], theta1, n1), _checked_range(NAMES[1], theta2, n2)), (n1, n2)
+    )
 
 
 def checked_double(system: object) -> DoublePendulum:
@@ -131,14 +136,25 @@ def checked_double(system: object) -> DoublePendulum:
     return system
 
 
-def _checked_range(name: str, given: object) -> tuple[float, float]:
-    pair = tuple(given) if isinstance(given, tuple | list) else (given,)
+def _checked_range(name: str, given: object, count: int) -> tuple[float, float]:
+    """A range within that of the sine, whose cells' centres are different doubles."""
+    pair = tuple(given) if isinstance(given, Iterable) else (given,)
     if len(pair) != 2:
         raise ValueError(f"{name} must be a range (lo, hi) [rad], got {given!r}")
     lo, hi = (finite_number(name, value, "rad") for value in pair)
     if not lo < hi:
         raise ValueError(
             f"{name} must be a range (lo, hi) with lo < hi [rad], got ({lo!r}, {hi!r})"
+        )
+    largest = max(abs(lo), abs(hi))
+    if largest > _engine.LARGEST_ANGLE:
+        raise ValueError(
+            f"{name} must lie within ±2^26 rad, got ({lo!r}, {hi!r}); take whole turns off"
+        )
+    if hi - lo < 2 * count * math.ulp(largest):
+        raise ValueError(
+            f"{name} must be a range whose {count} cells are different doubles, "
+            f"got ({lo!r}, {hi!r}); take a wider one, or fewer cells"
         )
     return lo, hi
 

@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from pendula.chunks import Chunk
     from pendula.systems import DoublePendulum
 
-LARGEST_SEPARATION = 1e-2  # rad
+SMALLEST_SEPARATION, LARGEST_SEPARATION = 1e-13, 1e-2  # rad
 
 
 def divergence_map(
@@ -40,12 +40,15 @@ def divergence_map(
     client: Any = None,
     threads: int | None = None,
     progress: Progress = None,
+    resume: bool = True,
     overwrite: bool = False,
 ) -> xr.Dataset:
     """How many times farther apart than at the start two neighbours are after a time.
 
-    Both start from rest, the neighbour with both angles larger by the separation. The finite-time
-    divergence is ln(growth) / t_max; near a turn between the two the growth is at its bound.
+    Both start from rest; the neighbour's angles are both larger by the separation, or, where
+    theta1 < 0, smaller, so that a map about rest is symmetric. The finite-time divergence is
+    ln(growth) / t_max. Angles are never wrapped: once the two are apart by turns, growth is about
+    2π / separation, and tells no more.
 
     Args:
         system: a double pendulum.
@@ -59,6 +62,7 @@ def divergence_map(
         client: as for `flip_map`.
         threads: as for `flip_map`.
         progress: as for `flip_map`.
+        resume: as for `flip_map`.
         overwrite: as for `flip_map`.
 
     Returns:
@@ -74,10 +78,10 @@ def divergence_map(
     end = positive_number("t_max", t_max, "s")
     check_rounding_of_times(chosen, 0.0, end)
     apart = positive_number("separation", separation, "rad")
-    if apart > LARGEST_SEPARATION:
+    if not SMALLEST_SEPARATION <= apart <= LARGEST_SEPARATION:
         raise ValueError(
-            f"separation must be at most {LARGEST_SEPARATION:g} rad, got {apart!r}: "
-            "farther apart they are no neighbours"
+            f"separation must lie between {SMALLEST_SEPARATION:g} and {LARGEST_SEPARATION:g} rad, "
+            f"got {apart!r}: nearer they are one, farther apart no neighbours"
         )
     compute = DivergenceCells(chosen, cells, end, apart, checked_tolerance(tolerance))
     told = {"units": "1", "long_name": "growth of the distance of neighbours until t_max"}
@@ -89,7 +93,8 @@ def divergence_map(
         attrs={"title": "Divergence of neighbours, double pendulum, from rest", "t_max": end},
         mirrored=cells.mirrored,
     )
-    return run(work, store, client=client, progress=progress, threads=threads, overwrite=overwrite)
+    how: dict[str, Any] = {"client": client, "progress": progress, "threads": threads}
+    return run(work, store, **how, resume=resume, overwrite=overwrite)
 
 
 @dataclass(frozen=True)

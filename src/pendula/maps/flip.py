@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from pendula import __version__
 from pendula._arguments import BEST_TOLERANCE, check_rounding_of_times, checked_tolerance
-from pendula._checks import positive_number
+from pendula._checks import positive_number, whole_number
 from pendula._progress import part
 from pendula.chunks import Variable, Work, run
 from pendula.ensembles import Task, checked_threads, run_task
@@ -47,6 +47,7 @@ def flip_map(
     client: Any = None,
     threads: int | None = None,
     progress: Progress = None,
+    resume: bool = True,
     overwrite: bool = False,
 ) -> xr.Dataset:
     """The time until a rod first flips, from rest at each pair of angles of a rectangle.
@@ -66,12 +67,13 @@ def flip_map(
         tolerance: of the Taylor method.
         resolve: run each cell again at a thousandth of the tolerance, and tell where both agree:
             twice the work.
-        store: a folder for a Zarr store, written chunk by chunk: the same call resumes it, and the
-            map may be larger than memory. None: in memory.
+        store: a folder, or a URL, for a Zarr store that is written chunk by chunk: the same call
+            resumes it, and the map may be larger than memory. None: in memory.
         client: of a Dask cluster that computes the chunks.
         threads: None: one for each processor.
         progress: told the part that is done, 0 to 1.
-        overwrite: begin a store anew.
+        resume: go on with a store that is there; else it is refused.
+        overwrite: begin it anew.
 
     Returns:
         Dims (theta1, theta2), coordinates the centres of the cells. `flip_time` [s], NaN where none
@@ -86,11 +88,8 @@ def flip_map(
     cells = checked_cells(theta1, theta2, shape)
     end = positive_number("t_max", t_max, "s")
     check_rounding_of_times(chosen, 0.0, end)
-    if which not in (None, 1, 2):
-        raise ValueError(
-            f"which must be rod 1 or 2, or None for the first that flips, got {which!r}"
-        )
-    compute = FlipCells(chosen, cells, end, which, checked_tolerance(tolerance), bool(resolve))
+    rod = _checked_rod(which)
+    compute = FlipCells(chosen, cells, end, rod, checked_tolerance(tolerance), bool(resolve))
     if resolve and compute.tolerance * TIGHTER < BEST_TOLERANCE:
         raise ValueError(
             f"tolerance must be at least {BEST_TOLERANCE / TIGHTER:.3g} for another run with a "
@@ -104,7 +103,8 @@ def flip_map(
         attrs={"title": "Flip map of the double pendulum, from rest", "t_max": end},
         mirrored=cells.mirrored,
     )
-    return run(work, store, client=client, progress=progress, threads=threads, overwrite=overwrite)
+    how: dict[str, Any] = {"client": client, "progress": progress, "threads": threads}
+    return run(work, store, **how, resume=resume, overwrite=overwrite)
 
 
 @dataclass(frozen=True)
@@ -210,6 +210,17 @@ class Flips:
         same_time = abs(self.time - other.time) <= AGREEMENT * self.time
         together = (abs(self.end - other.end)[:, :2] <= AGREEMENT).all(axis=1)
         return np.equal(self.rod, other.rod) & np.where(self.rod == 0, together, same_time)
+
+
+def _checked_rod(which: object) -> int | None:
+    if which is None:
+        return None
+    try:
+        return whole_number("which", which, 2)
+    except ValueError:
+        raise ValueError(
+            f"which must be rod 1 or 2, or None for the first that flips, got {which!r}"
+        ) from None
 
 
 def _variables(compute: FlipCells) -> tuple[Variable, ...]:

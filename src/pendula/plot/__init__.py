@@ -4,6 +4,7 @@ matplotlib is imported by the first figure drawn.
 """
 
 from pendula.plot.comparison import angles, convergence, parting, series, tip_paths
+from pendula.plot.maps import divergence_map, flip_map
 from pendula.plot.overview import trajectory
 from pendula.plot.pendulum import elliptic_cost, linear_error, periods, phase_portrait
 from pendula.plot.style import picture, svg
@@ -12,7 +13,9 @@ from pendula.plot.work_precision import work_precision
 __all__ = [
     "angles",
     "convergence",
+    "divergence_map",
     "elliptic_cost",
+    "flip_map",
     "linear_error",
     "parting",
     "periods",

@@ -43,8 +43,8 @@ struct lanes_kernel {
   void (*run)(const ensemble_request&, ensemble_receiver&);
 };
 
-// Those that this processor can run, the best one last: for the adaptive methods, whose events are the Taylor method's
-// alone, and for those of fixed step.
+// Those that this processor can run, the best one last, perhaps none: for the adaptive methods, whose events are the
+// Taylor method's alone, and for those of fixed step.
 std::span<const lanes_kernel* const> all_adaptive_lanes();
 std::span<const lanes_kernel* const> all_fixed_lanes();
 

@@ -6,16 +6,14 @@
 #include <span>
 #include <vector>
 
+#include "pendula/drive/fixed_kernels.hpp"
 #include "pendula/drive/outcome.hpp"
 #include "pendula/scalar/pack.hpp"
 
 namespace pendula {
 
 // An output is the state after `steps` whole steps from t0 and, where `rest` is not 0, one step of that length.
-struct fixed_output {
-  std::int64_t steps;
-  double rest;
-};
+using fixed_output = pendula_kernels::fixed_place;
 
 inline constexpr double on_grid = 1e-9;       // of a step: nearer outputs are taken to lie on the grid
 inline constexpr double most_steps = 0x1p53;  // whole numbers are exact up to here
@@ -106,6 +104,17 @@ class fixed_run {
     }
     end_all(outcome::reached_end);
     return results_;
+  }
+
+  // Hands on the state after each step by visit(number, state), and that of the last place where it is off the grid,
+  // until one of them says false.
+  template <class Visit>
+  void each_step(fixed_output last, Visit&& visit) {
+    for (std::int64_t n = 1; n <= last.steps; ++n) {
+      take_steps(at_, S(step_), 1);
+      if (!visit(n, Method::state_of(system_, at_))) return;
+    }
+    if (last.rest != 0.0) visit(last.steps + 1, after_shortened_step(last.rest));
   }
 
  private:

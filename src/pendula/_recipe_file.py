@@ -1,0 +1,151 @@
+"""A recipe in TOML: its tables, and on which line a mistake stands."""
+
+from __future__ import annotations
+
+import difflib
+import json
+import math
+import re
+import tomllib
+from contextlib import contextmanager
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from pendula.units import quantity
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable, Iterator, Mapping
+
+
+class RecipeFile:
+    """The tables of one file, and errors that name the file and the line.
+
+    Args:
+        name: of the file, as errors tell it.
+        text: what it holds.
+
+    Raises:
+        ValueError: for what is not TOML.
+    """
+
+    def __init__(self, name: str, text: str) -> None:
+        self.name, self._text = name, text
+        self.tables = self._parsed()
+
+    @classmethod
+    def read(cls, path: Path) -> RecipeFile:
+        """The recipe in a file.
+
+        Raises:
+            ValueError: for what is not TOML, or not text.
+            OSError: if the file cannot be read.
+        """
+        try:
+            return cls(str(path), path.read_text(encoding="utf-8-sig"))
+        except UnicodeDecodeError as error:
+            line = path.read_bytes()[: error.start].count(b"\n") + 1
+            raise ValueError(f"{path}, line {line}: not UTF-8 text; save it as UTF-8") from None
+
+    def place(self, *keys: tuple[str, str]) -> str:
+        """The file, and the line of the first of some (table, key) that it sets."""
+        lines = [_line_of(self._text, *each) for each in keys]
+        line = next(filter(None, lines), 0)
+        return f"{self.name}, line {line}" if line else self.name
+
+    def blame(self, section: str, keys: Iterable[str], message: str) -> ValueError:
+        """The error to raise for some keys: with the file and the line."""
+        return ValueError(f"{self.place(*((section, key) for key in keys))}: {message}")
+
+    @contextmanager
+    def blaming(self, section: str, *keys: str) -> Iterator[None]:
+        """Let what is raised inside name the line of these keys."""
+        try:
+            yield
+        except ValueError as error:
+            raise self.blame(section, keys, str(error)) from None
+
+    def check_tables(self, known: Iterable[str]) -> None:
+        """Refuse tables that are not among those known, and keys outside of tables.
+
+        Raises:
+            ValueError: naming the nearest known one, or all.
+        """
+        for name, table in self.tables.items():
+            if name not in known:
+                unknown = f"unknown {'table' if isinstance(table, dict) else 'key'} {name!r}"
+                raise self.blame(name, ("",), f"{unknown}; {suggestion(name, known)}")
+            if not isinstance(table, dict):
+                raise self.blame(name, ("",), f"{name} must be a table; write [{name}]")
+
+    def check_keys(self, known: Mapping[str, Iterable[str]]) -> None:
+        """Refuse keys of a table that are not among those known.
+
+        Raises:
+            ValueError: naming the nearest known one, or all.
+        """
+        for name, keys in known.items():
+            for key in self.tables.get(name, {}):
+                if key not in keys:
+                    unknown = f"unknown key {key!r} in [{name}]"
+                    raise self.blame(name, (key,), f"{unknown}; {suggestion(key, keys)}")
+
+    def quantity(self, section: str, key: str, unit: str, raw: str) -> float:
+        """A quantity that stands at a key, in SI units.
+
+        Raises:
+            ValueError: for what is no quantity of this kind.
+        """
+        with self.blaming(section, key):
+            return quantity(raw, unit, f"{section}.{key}")
+
+    def _parsed(self) -> dict[str, Any]:
+        try:
+            return tomllib.loads(self._text)
+        except tomllib.TOMLDecodeError as error:
+            place = re.search(r"\s*\(at line (\d+), column (\d+)\)", str(error))
+            line = int(place[1]) if place else len(self._text.splitlines())
+            what = re.sub(r"\s*\(at [^)]*\)$", "", str(error))
+            hint = 'write text and quantities in quotes, as in length = "50 cm"'
+            raise ValueError(f"{self.name}, line {line}: not TOML: {what}; {hint}") from None
+
+
+def suggestion(name: str, known: Iterable[str]) -> str:
+    """The known name that was meant, or all of them."""
+    close = difflib.get_close_matches(name, known, n=1)
+    return f"did you mean {close[0]!r}?" if close else f"there are {', '.join(known)}"
+
+
+def as_toml(value: Any) -> str:
+    """A value of a recipe as TOML."""
+    if isinstance(value, list):
+        return "[" + ", ".join(map(as_toml, value)) + "]"
+    if isinstance(value, dict):
+        return "{ " + ", ".join(f"{key} = {as_toml(each)}" for key, each in value.items()) + " }"
+    if isinstance(value, float) and not math.isfinite(value):
+        return str(value)
+    # Text, numbers and truth values are written in TOML as in JSON; a date is only ever shown.
+    return json.dumps(value, ensure_ascii=False, default=str)
+
+
+def _line_of(text: str, section: str, key: str) -> int:
+    """The line (from 1) on which a recipe sets a key, or opens its table; 0 if it does neither."""
+    table, opened = list[str](), 0
+    for number, line in enumerate(text.splitlines(), start=1):
+        header = re.match(r"\s*\[+\s*([^\]#]+?)\s*\]", line)
+        if header:
+            table = _parts(header[1])
+            if key and table[:2] == [section, key]:
+                return number
+            opened = number if table == [section] and not key else opened
+            continue
+        name = re.match(r"""\s*([\w."' -]+?)\s*=""", line)
+        if name:
+            path = table + _parts(name[1])
+            if path[:2] == [section, key] or path == [section]:
+                return number
+    return opened
+
+
+def _parts(name: str) -> list[str]:
+    """The parts of a dotted name."""
+    return [part.strip(" \"'") for part in name.split(".")]

@@ -1,0 +1,258 @@
+"""Where a store's files are: a folder of this machine, or what fsspec reaches."""
+
+from __future__ import annotations
+
+import errno
+import fcntl
+import os
+import shutil
+from contextlib import contextmanager, suppress
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Protocol
+
+from pendula._checks import MissingExtraError, extra
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+_PART = ".part"  # a file that is being written: .name.part
+_FULL = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG)
+_NO_LOCKS = (errno.EBADF, errno.ENOLCK, errno.ENOSYS, errno.EOPNOTSUPP)  # of some network disks
+
+
+class Place(Protocol):
+    """Files by key: "zarr.json", "flip_time/c.0.3"."""
+
+    checked: bool  # whether `read` is cheap enough to check every chunk's sum
+
+    def occupied(self) -> Iterator[str]:
+        """Names of files and folders at the top."""
+
+    def sizes(self, folder: str) -> dict[str, int]:
+        """Files of a folder and their sizes; leftovers of a killed run are removed."""
+
+    def read(self, key: str) -> bytes | None:
+        """A file; None where there is none."""
+
+    def write(self, key: str, data: bytes) -> None:
+        """All of a file, or nothing; it lasts once this returns."""
+
+    def clear(self, kept: str) -> None:
+        """Remove all but one file."""
+
+    def locked(self) -> Any:
+        """A context in which nobody else writes here."""
+
+
+def place_at(store: str | os.PathLike[str]) -> Place:
+    """The place of a path, or of a URL such as s3://bucket/flips.zarr."""
+    text = os.fspath(store)
+    return Remote(text) if "://" in text else Folder(Path(text))
+
+
+class Folder:
+    """A folder of a file system."""
+
+    checked = True
+
+    def __init__(self, path: Path) -> None:
+        self.path = path
+
+    def __str__(self) -> str:
+        return str(self.path)
+
+    def occupied(self) -> Iterator[str]:
+        """Names at the top, those of leftovers apart."""
+        if self.path.is_dir():
+            yield from (each for each in os.listdir(self.path) if not _is_part(each))
+
+    def sizes(self, folder: str) -> dict[str, int]:
+        """One look at the folder, however many files it holds."""
+        found = {}
+        try:
+            with os.scandir(self.path / folder) as entries:
+                for entry in entries:
+                    if _is_part(entry.name):
+                        os.unlink(entry.path)
+                    else:
+                        found[entry.name] = entry.stat().st_size
+        except FileNotFoundError:
+            pass
+        return found
+
+    def read(self, key: str) -> bytes | None:
+        """A file; None where there is none."""
+        try:
+            return (self.path / key).read_bytes()
+        except FileNotFoundError:
+            return None
+
+    def write(self, key: str, data: bytes) -> None:
+        """Write beside, sync, move there, sync the folder: after a power cut it is there, whole."""
+        target = self.path / key
+        part = target.with_name(f".{target.name}{_PART}")
+        try:
+            _make_folder(target.parent)
+            with part.open("wb", buffering=0) as file:
+                view = memoryview(data)
+                while view:
+                    view = view[file.write(view) :]
+                os.fsync(file.fileno())
+            part.replace(target)
+            _sync_folder(target.parent)
+        except OSError as error:
+            part.unlink(missing_ok=True)
+            raise _cannot_write(target, error) from error
+        except BaseException:
+            part.unlink(missing_ok=True)
+            raise
+
+    def clear(self, kept: str) -> None:
+        """Remove all but one file."""
+        for each in self.path.iterdir():
+            if each.is_dir() and not each.is_symlink():
+                shutil.rmtree(each)
+            elif each.name != kept:
+                each.unlink()
+        _sync_folder(self.path)
+
+    @contextmanager
+    def locked(self) -> Iterator[None]:
+        """Make the folder and hold a lock on it, which ends with the process and leaves no trace.
+
+        Raises:
+            OSError: where another process writes there, or the folder cannot be made.
+        """
+        self._check_place()
+        try:
+            _make_folder(self.path)
+            handle = os.open(self.path, os.O_RDONLY | os.O_DIRECTORY)
+        except OSError as error:
+            raise _cannot_write(self.path, error) from error
+        try:
+            _lock(handle, self.path)
+            try:
+                yield
+            finally:
+                _unlock(handle)
+        finally:
+            os.close(handle)
+
+    def _check_place(self) -> None:
+        folder = self.path.absolute().parent
+        if not folder.is_dir():
+            kind = NotADirectoryError if folder.exists() else FileNotFoundError
+            raise kind(f"cannot write {self.path}: {folder} is not a folder; make it first")
+        if os.path.lexists(self.path) and not self.path.is_dir():
+            raise FileExistsError(f"{self.path} exists and is no folder; choose another name")
+
+
+class Remote:
+    """A folder of an object store; an object is there as a whole or not at all."""
+
+    checked = False
+
+    def __init__(self, url: str) -> None:
+        self.url = url
+        core = extra("fsspec.core", "cluster")
+        try:
+            self._files, self._root = core.url_to_fs(url)
+        except ImportError as error:  # each kind of store has a package of its own
+            raise MissingExtraError(f"{url} cannot be reached: {error}") from error
+
+    def __str__(self) -> str:
+        return self.url
+
+    def occupied(self) -> Iterator[str]:
+        """Names at the top."""
+        yield from (name for name, _ in self._entries(self._root))
+
+    def sizes(self, folder: str) -> dict[str, int]:
+        """Objects of a folder and their sizes."""
+        return dict(self._entries(f"{self._root}/{folder}"))
+
+    def read(self, key: str) -> bytes | None:
+        """An object; None where there is none."""
+        try:
+            return bytes(self._files.cat_file(f"{self._root}/{key}"))
+        except FileNotFoundError:
+            return None
+
+    def write(self, key: str, data: bytes) -> None:
+        """Write an object, which is there when it is whole."""
+        try:
+            self._files.pipe_file(f"{self._root}/{key}", data)
+        except OSError as error:
+            raise _cannot_write(f"{self.url}/{key}", error) from error
+
+    def clear(self, kept: str) -> None:
+        """Remove all but one object."""
+        for path in self._files.find(self._root):
+            if path != f"{self._root}/{kept}":
+                self._files.rm_file(path)
+
+    @contextmanager
+    def locked(self) -> Iterator[None]:
+        """Nothing: object stores have no locks; two writers write the same bytes."""
+        yield
+
+    def _entries(self, path: str) -> Iterator[tuple[str, int]]:
+        self._files.invalidate_cache()
+        try:
+            for entry in self._files.ls(path, detail=True):
+                yield entry["name"].rpartition("/")[2], entry["size"] or 0
+        except FileNotFoundError:
+            return
+
+
+def _is_part(name: str) -> bool:
+    return name.startswith(".") and name.endswith(_PART)
+
+
+def _lock(handle: int, path: Path) -> None:
+    """Lock an open folder, where its file system has locks."""
+    try:
+        fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
+    except BlockingIOError:
+        raise BlockingIOError(
+            f"another process is writing {path}; wait for it, or choose another name"
+        ) from None
+    except OSError as error:
+        if error.errno not in _NO_LOCKS:
+            raise
+
+
+def _unlock(handle: int) -> None:
+    """Closing alone would not do while a process that was just forked holds the folder too."""
+    with suppress(OSError):
+        fcntl.flock(handle, fcntl.LOCK_UN)
+
+
+def _make_folder(path: Path) -> None:
+    """A folder that is there after a power cut."""
+    if not path.is_dir():
+        path.mkdir()
+        _sync_folder(path.parent)
+
+
+def _sync_folder(path: Path) -> None:
+    """Make the names in a folder last."""
+    handle = os.open(path, os.O_RDONLY | os.O_DIRECTORY)
+    try:
+        os.fsync(handle)
+    finally:
+        os.close(handle)
+
+
+def _cannot_write(target: Path | str, error: OSError) -> OSError:
+    """One line, with the way out; of the same kind and number."""
+    way_out = (
+        "make room, then run the same call again"
+        if error.errno in _FULL
+        else "when that is mended, run the same call again"
+    )
+    told = type(error)(
+        f"cannot write {target}: {error.strerror or error}; complete chunks are kept: {way_out}"
+    )
+    told.errno = error.errno
+    return told

@@ -1,0 +1,221 @@
+"""`pendula map`: flip times, or the divergence of neighbours, over the two angles at the start."""
+
+from __future__ import annotations
+
+import re
+from contextlib import contextmanager
+from functools import partial
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from pendula import _engine
+from pendula.cli.groups import ChoiceGroup, one_each
+from pendula.cli.map_output import check_targets, how_to_resume, summary, write
+from pendula.cli.options import system_of, system_options, value
+from pendula.cli.progress import work_bar
+from pendula.cli.run import seconds
+from pendula.cli.stores import check_store_options, cluster, store_options, telling_how_to_resume
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from pendula._engine import SystemEntry
+
+_TURN, _SIZE = "-180deg:180deg", "500x500"
+_ANGLES = ("theta1", "theta2")
+
+
+def _options(entry: SystemEntry) -> list[click.Parameter]:
+    ranges = [
+        click.Option(
+            [f"--{name}"],
+            metavar="LO:HI",
+            default=_TURN,
+            show_default=True,
+            help=f"range of the angle of rod {i} at the start",
+        )
+        for i, name in enumerate(_ANGLES, 1)
+    ]
+    return [
+        *system_options(entry),
+        *ranges,
+        click.Option(
+            ["--size"],
+            metavar="N1xN2",
+            default=_SIZE,
+            show_default=True,
+            help="cells along each angle; one number: a square",
+        ),
+    ]
+
+
+def _flip_options(entry: SystemEntry) -> list[click.Parameter]:
+    return [
+        *_options(entry),
+        value("until", "how long to wait for a flip, such as 30s", required=True),
+        click.Option(["--which"], type=int, metavar="ROD", help="1 or 2 [the one that is first]"),
+        value("tolerance", "of the Taylor method [1e-8]"),
+        click.Option(
+            ["--no-resolve"],
+            is_flag=True,
+            help="do not run each cell again to tell whether its time is certain: half the work",
+        ),
+        *_output_options(),
+    ]
+
+
+def _divergence_options(entry: SystemEntry) -> list[click.Parameter]:
+    return [
+        *_options(entry),
+        value("until", "the time after which neighbours are compared", required=True),
+        value("separation", "of the neighbours at the start [1e-8 rad]"),
+        value("tolerance", "of the Taylor method [its best]"),
+        *_output_options(),
+    ]
+
+
+def _output_options() -> list[click.Parameter]:
+    return [
+        click.Option(
+            ["out", "-o", "--output"],
+            type=click.Path(),
+            metavar="FILE",
+            help="write a .zarr store, which can be gone on with, or a .nc file",
+        ),
+        click.Option(
+            ["--picture"],
+            type=click.Path(),
+            metavar="FILE",
+            help="draw the map: .png, .svg or .pdf",
+        ),
+        click.Option(
+            ["--lang"],
+            type=click.Choice(["en", "es"]),
+            default="en",
+            show_default=True,
+            help="language of the picture",
+        ),
+        *store_options(),
+    ]
+
+
+def _map(kind: str, entry: SystemEntry, **given: Any) -> None:
+    from pendula import maps
+
+    check_store_options(given)
+    out, picture = check_targets(given)
+    asked = {**_asked(entry, given), **_OWN[kind](given)}
+    cells = asked["shape"][0] * asked["shape"][1]
+    store = out if out is not None and Path(out).suffix == ".zarr" else None
+    with (
+        cluster(given["scheduler"]) as client,
+        telling_how_to_resume(lambda: how_to_resume(store)),
+        _enough_memory(),
+        work_bar(f"{kind} map", cells, "cells") as progress,
+    ):
+        found = getattr(maps, f"{kind}_map")(
+            **asked,
+            store=store,
+            client=client,
+            threads=given["threads"],
+            progress=progress,
+            resume=given["resume"],
+            overwrite=given["force"],
+        )
+        write(kind, found, None if store else out, picture, given)
+        told = summary(kind, found)
+    click.echo(f"{out}: {told}" if out else told)
+    if picture:
+        click.echo(picture)
+
+
+def _asked(entry: SystemEntry, given: dict[str, Any]) -> dict[str, Any]:
+    """What both maps are asked for."""
+    return {
+        "system": system_of(entry, given),
+        **{name: _range(given[name], f"--{name}") for name in _ANGLES},
+        "shape": _size(given["size"]),
+        "t_max": seconds(given["until"], "--until"),
+    }
+
+
+def _of_flips(given: dict[str, Any]) -> dict[str, Any]:
+    from pendula.units import quantity
+
+    asked = {"which": given["which"], "resolve": not given["no_resolve"]}
+    if given["tolerance"] is not None:
+        asked["tolerance"] = quantity(given["tolerance"], "", "--tolerance")
+    return asked
+
+
+def _of_divergence(given: dict[str, Any]) -> dict[str, Any]:
+    from pendula.units import quantity
+
+    units = {"separation": "rad", "tolerance": ""}
+    return {
+        name: quantity(given[name], unit, f"--{name}")
+        for name, unit in units.items()
+        if given[name] is not None
+    }
+
+
+_OWN = {"flip": _of_flips, "divergence": _of_divergence}
+
+
+def _range(text: str, name: str) -> tuple[float, float]:
+    """A range such as -180deg:180deg [rad].
+
+    Raises:
+        ValueError: for anything else, or where one end alone has a unit.
+    """
+    from pendula.units import quantity
+
+    ends = text.split(":")
+    if len(ends) != 2:
+        raise ValueError(f"{name} must be a range such as {_TURN}, got {text!r}")
+    low, high = (quantity(end, "rad", name) for end in ends)
+    bare = [re.fullmatch(r"[-+\d.eE\s]+", end) is not None for end in ends]
+    if bare[0] != bare[1] and (low if bare[0] else high) != 0.0:
+        raise ValueError(f"{name} needs the unit at both ends, such as {_TURN}, got {text!r}")
+    return low, high
+
+
+def _size(text: str) -> tuple[int, int]:
+    """Cells along each angle.
+
+    Raises:
+        ValueError: for anything but one or two whole numbers.
+    """
+    found = re.fullmatch(r"(\d{1,9})(?:[x×](\d{1,9}))?", text.strip())
+    if found is None:
+        raise ValueError(f"--size must be cells such as {_SIZE}, or 500 for a square, got {text!r}")
+    return int(found[1]), int(found[2] or found[1])
+
+
+@contextmanager
+def _enough_memory() -> Iterator[None]:
+    try:
+        yield
+    except MemoryError:
+        raise click.ClickException(
+            "not enough memory for so many cells; write them to a store: -o map.zarr"
+        ) from None
+
+
+def _command() -> ChoiceGroup:
+    """A group with a subcommand for each kind of map, and in it one for the double pendulum."""
+    group = ChoiceGroup("map", kind="map", help="Map starts from rest over the two angles.")
+    helps = {
+        "flip": "Map how long it takes until a rod first flips.",
+        "divergence": "Map how far neighbours have moved apart after a time.",
+    }
+    options = {"flip": _flip_options, "divergence": _divergence_options}
+    for kind, help in helps.items():
+        two = [each for each in _engine.system_entries().values() if len(each.components) == 4]
+        group.add_command(one_each(kind, help, two, options[kind], partial(_map, kind)))
+    return group
+
+
+command = _command()

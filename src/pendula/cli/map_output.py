@@ -1,0 +1,144 @@
+"""What `pendula map` leaves: a file, a picture, a summary; and what a stopped one has done."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    import xarray as xr
+
+PICTURES = (".png", ".svg", ".pdf")
+_BAND = 256  # rows read at once, where a store does not tell how many
+
+
+def check_targets(given: dict[str, Any]) -> tuple[str | None, str | None]:
+    """The file and the picture; says before long work what would go wrong at its end.
+
+    Raises:
+        ValueError: for an unknown ending.
+        OSError: where one cannot be written, or exists without --force.
+    """
+    from pendula._checks import extra
+    from pendula.io.writing import refuse_existing
+
+    out, picture = given["out"], given["picture"]
+    extra("xarray", "io")
+    ending = None if out is None else Path(out).suffix
+    if ending not in (None, ".zarr", ".nc"):
+        raise ValueError(f"--output must end in .zarr or .nc, got {Path(out).name!r}")
+    if given["resume"] and ending != ".zarr":
+        raise click.UsageError("--resume needs a .zarr store: -o map.zarr")
+    if ending == ".nc":
+        extra("h5netcdf", "io")
+        refuse_existing(Path(out), overwrite=given["force"])
+    if picture is not None:
+        if Path(picture).suffix.lower() not in PICTURES:
+            raise ValueError(f"--picture must end in one of {', '.join(PICTURES)}, got {picture!r}")
+        extra("matplotlib", "report")
+        _refuse_picture(Path(picture), given)
+    return out, picture
+
+
+def _refuse_picture(picture: Path, given: dict[str, Any]) -> None:
+    from pendula.io.writing import refuse_existing
+
+    try:
+        refuse_existing(picture, overwrite=given["force"])
+    except FileExistsError:
+        if given["resume"]:  # --force would begin the store anew
+            raise FileExistsError(f"{picture} exists; remove it, or name another") from None
+        raise
+
+
+def write(
+    kind: str, found: xr.Dataset, out: str | None, picture: str | None, given: dict[str, Any]
+) -> None:
+    """Draw first, so that a picture that fails leaves no file behind; a store is there already."""
+    from pendula.io.writing import replacing
+
+    if picture is not None:
+        from pendula import plot
+
+        path, draw = Path(picture), {"flip": plot.flip_map, "divergence": plot.divergence_map}[kind]
+        drawn = plot.picture(draw(found, language=given["lang"]), path.suffix[1:].lower())
+        with replacing(path, overwrite=given["force"]) as unfinished:
+            unfinished.write_bytes(drawn)
+    if out is not None:
+        with replacing(Path(out), overwrite=given["force"]) as unfinished:
+            found.to_netcdf(unfinished, engine="h5netcdf")
+
+
+def how_to_resume(store: str | None) -> str:
+    """What a map that was stopped leaves behind."""
+    from pendula.chunks import opened
+
+    if store is None:
+        return "nothing is written; a .zarr store could be gone on with"
+    try:
+        found = opened(store)
+    except (OSError, ValueError):  # it was not begun
+        return f"nothing is in {store} yet"
+    import zarr
+
+    group: Any = zarr.open_group(store, mode="r")
+    arrays = [group[str(name)] for name in found.data_vars]
+    there = min(each.nchunks_initialized for each in arrays)
+    return (
+        f"{there} of {arrays[0].nchunks} chunks are in {store}; "
+        "go on with the same command and --resume"
+    )
+
+
+def summary(kind: str, found: xr.Dataset) -> str:
+    """Numbers of all cells, read in bands: a store may hold more than the memory."""
+    told = {"flip": _of_flips, "divergence": _of_divergence}[kind](found)
+    return f"{' x '.join(str(found.sizes[name]) for name in ('theta1', 'theta2'))} cells; {told}"
+
+
+def _bands(found: xr.Dataset) -> Iterator[xr.Dataset]:
+    first = next(iter(found.data_vars.values()))
+    step = first.encoding.get("preferred_chunks", {}).get("theta1", _BAND)
+    for start in range(0, found.sizes["theta1"], step):
+        yield found.isel(theta1=slice(start, start + step)).load()
+
+
+def _of_flips(found: xr.Dataset) -> str:
+    flipped = forbidden = unresolved = 0
+    earliest = math.inf
+    for band in _bands(found):
+        flipped += int((band["flipped_rod"] > 0).sum())
+        forbidden += int(band["forbidden"].sum())
+        earliest = min(earliest, float(band["flip_time"].min().fillna(math.inf)))
+        if "resolved" in band:
+            unresolved += int((~band["resolved"]).sum())
+    cells = found["flip_time"].size
+    told = {"flipped": flipped, "forbidden": forbidden}
+    told[f"neither until {found.attrs['t_max']:g} s"] = cells - flipped - forbidden
+    if "resolved" in found:
+        told["not resolved"] = unresolved
+    shares = ", ".join(f"{count / cells:.1%} {name}" for name, count in told.items())
+    return shares + (f"; earliest flip after {earliest:.6g} s" if flipped else "")
+
+
+def _of_divergence(found: xr.Dataset) -> str:
+    import numpy as np
+
+    low, high, total, count = math.inf, -math.inf, 0.0, 0
+    for band in _bands(found):
+        with np.errstate(divide="ignore"):
+            rates = np.log(band["growth"].values) / found.attrs["t_max"]
+        known = rates[np.isfinite(rates)]
+        if known.size:
+            low, high = min(low, float(known.min())), max(high, float(known.max()))
+            total, count = total + float(known.sum()), count + known.size
+    if count == 0:
+        return "no rate of divergence is known"
+    unknown = found["growth"].size - count
+    told = f"mean rate of divergence {low:.3g} to {high:.3g} 1/s, {total / count:.3g} on average"
+    return told + (f"; {unknown} not known" if unknown else "")

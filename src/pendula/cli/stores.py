@@ -1,0 +1,64 @@
+"""What commands share that write a store chunk by chunk, here or on a cluster."""
+
+from __future__ import annotations
+
+from contextlib import contextmanager
+from typing import TYPE_CHECKING, Any
+
+import click
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterator
+
+
+def store_options() -> list[click.Option]:
+    """Where to compute, and what to do with a store that is there."""
+    return [
+        click.Option(
+            ["--scheduler"],
+            metavar="ADDRESS",
+            help="compute on a Dask cluster, such as tcp://host:8786",
+        ),
+        click.Option(
+            ["--threads"],
+            type=int,
+            metavar="N",
+            help="threads of a chunk [one for each processor; 1 on a cluster]",
+        ),
+        click.Option(["--resume"], is_flag=True, help="go on with the store if it exists"),
+        click.Option(["--force"], is_flag=True, help="begin anew if it exists"),
+    ]
+
+
+def check_store_options(given: dict[str, Any]) -> None:
+    """Refuse to go on with a store and to begin it anew.
+
+    Raises:
+        click.UsageError: where both are asked for.
+    """
+    if given["resume"] and given["force"]:
+        raise click.UsageError("--resume and --force exclude one another; name one of them")
+
+
+@contextmanager
+def cluster(scheduler: str | None) -> Iterator[Any]:
+    """The client of a scheduler, closed at the end; None without one. Errors are one line."""
+    from pendula.chunks import connect
+
+    client = None if scheduler is None else connect(scheduler)
+    try:
+        yield client
+    except RuntimeError as error:  # of the cluster
+        raise click.ClickException(str(error)) from error
+    finally:
+        if client is not None:
+            client.close()
+
+
+@contextmanager
+def telling_how_to_resume(told: Callable[[], str]) -> Iterator[None]:
+    """Let Ctrl-C say what is done; `told` is asked when it comes."""
+    try:
+        yield
+    except KeyboardInterrupt:
+        raise KeyboardInterrupt(told()) from None

@@ -1,0 +1,95 @@
+"""`pendula sweep`: the trajectories of many systems and starts, from a recipe into a file."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from pendula.cli.progress import work_bar
+from pendula.cli.stores import check_store_options, cluster, store_options, telling_how_to_resume
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+
+def _sweep(recipe: str, out: str, **given: Any) -> None:
+    from pendula.sweeping import read_sweep
+    from pendula.sweeping.running import ending_of, sweep
+
+    check_store_options(given)
+    read, ending = read_sweep(recipe), ending_of(out)
+    if given["resume"] and ending == ".parquet":
+        raise click.UsageError(
+            "--resume needs a .zarr store; a .parquet file is written in one go, or not at all"
+        )
+    count = read.sampler.count
+
+    def told() -> str:
+        return _how_to_resume(recipe, out, ending, count)
+
+    with (
+        cluster(given["scheduler"]) as client,
+        telling_how_to_resume(told),
+        work_bar("sweep", count, "rows") as progress,
+    ):
+        try:
+            found = sweep(
+                read,
+                out,
+                client=client,
+                threads=given["threads"],
+                progress=progress,
+                resume=given["resume"],
+                overwrite=given["force"],
+            )
+        except MemoryError:
+            raise click.ClickException(
+                "not enough memory; take fewer rows a chunk in the recipe: [run] chunk"
+            ) from None
+        ends = _ends(found)
+    click.echo(f"{out}: {count} rows of {len(read.times)} times; {ends}")
+
+
+def _ends(found: xr.Dataset) -> str:
+    """How many runs ended how."""
+    import numpy as np
+
+    from pendula.sweeping.rows import ENDS
+
+    counts = np.bincount(found["outcome"].values, minlength=len(ENDS))
+    return ", ".join(f"{counts[i]} {name}" for i, name in enumerate(ENDS) if counts[i])
+
+
+def _how_to_resume(recipe: str, out: str, ending: str, count: int) -> str:
+    """What a sweep that was stopped leaves behind."""
+    from pendula.chunks import opened
+    from pendula.sweeping.rows import MISSING
+
+    if ending == ".parquet":
+        return "nothing is written; a .zarr store could be gone on with"
+    try:
+        done = int((opened(out)["outcome"].values != MISSING).sum())
+    except (OSError, ValueError, KeyError):  # it was not begun
+        done = 0
+    return (
+        f"{done} of {count} rows are in {out}; go on with: pendula sweep {recipe} -o {out} --resume"
+    )
+
+
+command = click.Command(
+    "sweep",
+    params=[
+        click.Argument(["recipe"], type=click.Path(exists=True, dir_okay=False)),
+        click.Option(
+            ["out", "-o", "--output"],
+            type=click.Path(),
+            metavar="FILE",
+            required=True,
+            help="write a .zarr store, which can be gone on with, or a .parquet file",
+        ),
+        *store_options(),
+    ],
+    callback=_sweep,
+    help="Run many pendulums from many starts, as a RECIPE.toml says, and write all of it.",
+)

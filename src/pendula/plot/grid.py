@@ -1,0 +1,156 @@
+"""Cells over two angles: reading what a picture can show, and the axes in degrees or parts of π."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from pendula.plot.style import degree_ticks
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    import xarray as xr
+    from matplotlib.axes import Axes
+    from numpy.typing import NDArray
+
+    from pendula.plot.labels import Labels
+
+    Array = NDArray[np.float64]
+
+MOST = 1500  # cells along an axis of a picture: more than its pixels
+_AT_ONCE = 2**23  # cells read at once: 64 MB of times
+_DIMS = ("theta1", "theta2")
+_PARTS = tuple(Fraction(n, d) for n, d in ((1, 12), (1, 6), (1, 4), (1, 2), (1, 1), (2, 1)))
+
+
+@dataclass(frozen=True)
+class Grid:
+    """The cells drawn: centres and outer edges, in degrees."""
+
+    x: Array
+    y: Array
+    extent: tuple[float, float, float, float]
+
+    @property
+    def width(self) -> float:
+        """[°]."""
+        return self.extent[1] - self.extent[0]
+
+    @property
+    def height(self) -> float:
+        """[°]."""
+        return self.extent[3] - self.extent[2]
+
+    def padded(self) -> tuple[Array, Array]:
+        """Centres with the outer edges at both ends."""
+        left, right, low, high = self.extent
+        return np.r_[left, self.x, right], np.r_[low, self.y, high]
+
+
+def picked(
+    dataset: xr.Dataset, names: Sequence[str], caller: str
+) -> tuple[Grid, dict[str, NDArray[Any]]]:
+    """The cells to draw, (n2, n1) of each variable: every k-th, where there are too many.
+
+    Raises:
+        ValueError: for a dataset without these variables over theta1 and theta2.
+    """
+    for name in names:
+        found = dataset[name].dims if name in dataset else None
+        if found is None or set(found) != set(_DIMS):
+            has = "has none" if found is None else f"has ({', '.join(map(str, found))})"
+            raise ValueError(
+                f"dataset must hold {name} over theta1 and theta2, but {has}; "
+                f"give what pendula.{caller} returned"
+            )
+    centres = [np.asarray(dataset[dim].values, dtype=np.float64) for dim in _DIMS]
+    for dim, values in zip(_DIMS, centres, strict=True):
+        if values.size == 0 or not (np.diff(values) > 0).all():
+            raise ValueError(f"dataset must have rising cell centres, got {dim} = {values[:4]}")
+    strides = [-(-values.size // MOST) for values in centres]
+    places = {dim: slice(k // 2, None, k) for dim, k in zip(_DIMS, strides, strict=True)}
+    x, y = (np.degrees(v[places[dim]]) for dim, v in zip(_DIMS, centres, strict=True))
+    grid = Grid(x, y, (*_edges(centres[0]), *_edges(centres[1])))
+    return grid, {name: _thinned(dataset[name], places) for name in names}
+
+
+def _thinned(array: xr.DataArray, places: dict[str, slice]) -> NDArray[Any]:
+    """The cells (n2, n1) at these places, band by band: a file may hold more than the memory."""
+    first, second = _DIMS
+    rows = np.arange(array.sizes[first])[places[first]]
+    chunk = array.encoding.get("preferred_chunks", {}).get(first, 0)
+    band = chunk if 0 < chunk * array.sizes[second] <= _AT_ONCE else 0
+    band = band or max(1, _AT_ONCE // array.sizes[second])
+    parts = []
+    for start in range(0, array.sizes[first], band):
+        inside = rows[(rows >= start) & (rows < start + band)]
+        if inside.size:
+            part = slice(int(inside[0]), int(inside[-1]) + 1, places[first].step)
+            picked = array.isel({first: part, second: places[second]})
+            parts.append(picked.transpose(second, first).values)
+    return np.concatenate(parts, axis=1)
+
+
+def _edges(centres: Array) -> tuple[float, float]:
+    """Outer edges of the first and the last cell [°]."""
+    half = float(centres[-1] - centres[0]) / (2 * (centres.size - 1)) if centres.size > 1 else 0.01
+    return math.degrees(centres[0] - half), math.degrees(centres[-1] + half)
+
+
+def angle_axes(ax: Axes, grid: Grid, ticks: str, words: Labels) -> None:
+    """Label both axes, with ticks in degrees or in parts of π."""
+    left, right, low, high = grid.extent
+    for name, number, ends in (("x", 1, (left, right)), ("y", 2, (low, high))):
+        kind = "angle" if ticks == "degrees" else "angle_rad"
+        getattr(ax, f"set_{name}label")(words.axis[f"{kind}_{number}"])
+        if ticks == "degrees":
+            degree_ticks(ax, name, *ends)
+            _few_if_long(getattr(ax, f"{name}axis"), *ends)
+        else:
+            _pi_ticks(getattr(ax, f"{name}axis"), *ends, words=words)
+
+
+def _few_if_long(axis: Any, low: float, high: float) -> None:
+    """Long numbers of a map far zoomed in need room."""
+    from matplotlib.ticker import MaxNLocator
+
+    if high - low < 1e-2 * max(abs(low), abs(high)):
+        axis.set_major_locator(MaxNLocator(3))
+
+
+def _pi_ticks(axis: Any, low: float, high: float, *, words: Labels) -> None:
+    """Ticks at parts of π, or at decimals of it where the range is small."""
+    from matplotlib.ticker import FuncFormatter, MaxNLocator
+
+    span = Fraction(high - low) / 180
+    step = next((part for part in _PARTS if span / part <= 8), None)
+    if step is None or span / step < 2:
+        first, last = low / 180, high / 180
+        few = last - first < 1e-2 * max(abs(first), abs(last))
+        decimals = MaxNLocator(3 if few else 6).tick_values(first, last)
+        inside = [each for each in decimals if first <= each <= last]
+        axis.set_ticks([180 * each for each in inside])
+        names = {180 * each: words.local(f"{each:.12g}π") for each in inside}
+        axis.set_major_formatter(FuncFormatter(lambda x, _: names.get(x, "")))
+        return
+    near = 1e-9 * span
+    numbers = range(
+        math.ceil(Fraction(low) / 180 / step - near / step),
+        math.floor(Fraction(high) / 180 / step + near / step) + 1,
+    )
+    axis.set_ticks([float(180 * step * n) for n in numbers], [_part(step * n) for n in numbers])
+
+
+def _part(part: Fraction) -> str:
+    """A multiple of π."""
+    if part == 0:
+        return "0"
+    sign, top = "−" if part < 0 else "", abs(part.numerator)
+    return (
+        f"{sign}{'' if top == 1 else top}π{'' if part.denominator == 1 else f'/{part.denominator}'}"
+    )

@@ -1,0 +1,343 @@
+"""Many trajectories at once: each is what `solve` gives it alone, whatever is beside it."""
+
+from __future__ import annotations
+
+import math
+import signal
+import threading
+import time
+from itertools import pairwise
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+import pytest
+
+from pendula import DoublePendulum, Ensemble, LinearPendulum, SimplePendulum, ensemble, solve
+from pendula._engine import methods
+from pendula.events import angle, flip, tip_height, velocity_zero
+from pendula.solving import _reached
+from pendula.trust import horizon
+
+if TYPE_CHECKING:
+    from pendula.systems import System
+
+RODS = DoublePendulum.rods()
+SYSTEMS: tuple[System, ...] = (
+    LinearPendulum(0.5, 9.81),
+    SimplePendulum(0.5, 9.81, 2.0),
+    RODS,
+    DoublePendulum.bobs(1.0, 0.3, 0.7, 1.1),
+)
+ALL = [(m, s) for m in methods() for s in SYSTEMS if s.name in m.systems]
+NAMES = [f"{m.name}-{s.name}-{s.form}" for m, s in ALL]
+
+
+def starts(system: System, count: int, seed: int = 1) -> np.ndarray:
+    """Any states, from small swings to wild ones."""
+    numbers = np.random.default_rng(seed)
+    size = numbers.uniform(0.1, 1.0, (count, 1))
+    return numbers.uniform(-3.0, 3.0, (count, len(system.components))) * size
+
+
+def check_alone(
+    many: Ensemble, systems: Any, states: Any, t: Any, method: str, **options: Any
+) -> None:
+    """Each trajectory has the bits of `solve`."""
+    for i in range(len(many)):
+        system = systems[i] if isinstance(systems, list) else systems
+        state = states if np.ndim(states) == 1 else states[i]
+        run = solve(system, state, np.atleast_1d(t), method, **options)
+        m = run.t.size
+        np.testing.assert_array_equal(many.states[i, :m], run.states)
+        assert np.isnan(many.states[i, m:]).all()
+        assert many.outcomes[i] == run.outcome
+        assert many.n_steps[i] == run.n_steps
+        assert many.reached[i] == _reached(run)
+        for mine, theirs in zip(many.events, run.events, strict=True):
+            here = mine.trajectories == i
+            np.testing.assert_array_equal(mine.times[here], theirs.times)
+            np.testing.assert_array_equal(mine.states[here], theirs.states)
+        if many.trust_horizon is not None:
+            assert many.trust_horizon[i] == run.trust_horizon
+
+
+def settings(method: Any) -> dict[str, float]:
+    return {} if method.adaptive else {"step": 0.01}
+
+
+# ---- the same bits ----
+
+
+@pytest.mark.parametrize("count", [1, 7, 33])
+@pytest.mark.parametrize(("method", "system"), ALL, ids=NAMES)
+def test_each_has_the_bits_of_a_run_alone(method: Any, system: System, count: int) -> None:
+    states, t = starts(system, count), [0.0, 0.3, 0.5001, 1.0]
+    for threads in (1, 2, 3):
+        many = ensemble(system, states, t, method.name, threads=threads, **settings(method))
+        assert many.states.shape == (count, 4, len(system.components))
+        assert len(many) == count
+        check_alone(many, system, states, t, method.name, **settings(method))
+
+
+@pytest.mark.parametrize(("method", "system"), ALL, ids=NAMES)
+def test_backward_in_time_from_another_origin(method: Any, system: System) -> None:
+    states, t = starts(system, 9), [1.7, 1.6, 0.913]
+    options = {"t0": 2.0, **settings(method)}
+    many = ensemble(system, states, t, method.name, **options)
+    check_alone(many, system, states, t, method.name, **options)
+
+
+@pytest.mark.parametrize("method", [m for m in methods() if "double" in m.systems])
+def test_systems_of_their_own(method: Any) -> None:
+    lengths = np.linspace(0.5, 2.0, 19)
+    systems = [DoublePendulum.rods(m2=x, l1=x) for x in lengths]
+    states = starts(systems[0], 19)
+    for given in (states, states[3]):
+        many = ensemble(systems, given, [0.5, 1.0], method.name, **settings(method))
+        check_alone(many, systems, given, [0.5, 1.0], method.name, **settings(method))
+        for i, system in enumerate(systems):
+            np.testing.assert_array_equal(many.energy[i], system.energy(many.states[i]))
+
+
+def test_a_list_of_one_system_is_that_system() -> None:
+    states = starts(RODS, 3)
+    many, alike = (ensemble(given, states, [0.5, 1.0]) for given in ([RODS], RODS))
+    np.testing.assert_array_equal(many.states, alike.states)
+    np.testing.assert_array_equal(many.energy, alike.energy)
+    assert alike.energy.shape == (3, 2)
+
+
+@pytest.mark.parametrize("method", ["taylor", "dop853"])
+@pytest.mark.parametrize("direction", [1.0, -1.0])
+def test_many_outputs_within_a_step(method: str, direction: float) -> None:
+    states = starts(RODS, 11)
+    t = direction * np.concatenate([[0.0], np.geomspace(1e-9, 1.0, 200)])
+    many = ensemble(RODS, states, t, method, tolerance=1e-4)
+    assert (many.n_steps < 50).all()
+    check_alone(many, RODS, states, t, method, tolerance=1e-4)
+
+
+@pytest.mark.parametrize("tolerance", [1e-3, 1e-8, 2.0**-52])
+@pytest.mark.parametrize("method", ["taylor", "dop853"])
+def test_any_tolerance(method: str, tolerance: float) -> None:
+    states = starts(RODS, 10)
+    many = ensemble(RODS, states, [4.0], method, tolerance=tolerance)
+    check_alone(many, RODS, states, [4.0], method, tolerance=tolerance)
+
+
+@pytest.mark.parametrize("method", ["taylor", "rk4", "verlet"])
+def test_nothing_but_the_start(method: str) -> None:
+    system, step = SYSTEMS[1], {} if method == "taylor" else {"step": 0.1}
+    many = ensemble(system, starts(system, 5), [0.0], method, **step)
+    np.testing.assert_array_equal(many.states[:, 0], starts(system, 5))
+    check_alone(many, system, starts(system, 5), [0.0], method, **step)
+
+
+def test_one_end_time_is_one_output() -> None:
+    states = starts(RODS, 4)
+    many = ensemble(RODS, states, 2.0)
+    assert many.t.tolist() == [2.0]
+    np.testing.assert_array_equal(many.states, ensemble(RODS, states, [2.0]).states)
+
+
+def test_none_is_no_error() -> None:
+    none = ensemble(RODS, np.zeros((0, 4)), [1.0, 2.0], events=flip(1), certify=1e-6)
+    assert none.states.shape == (0, 2, 4)
+    assert none.energy.shape == (0, 2)
+    assert none.events[0].times.shape == (0,)
+
+
+# ---- events ----
+
+
+@pytest.mark.parametrize("direction", [1.0, -1.0])
+@pytest.mark.parametrize("method", ["taylor", "dop853"])
+def test_events_are_recorded(method: str, direction: float) -> None:
+    states = 3.0 * starts(RODS, 21)
+    asked = (
+        flip(1),
+        flip(2, 1),
+        velocity_zero(2),
+        angle(2, 0.5, -1, every_turn=True),
+        angle(2, 0.5001),  # two and more in a step
+        angle(2, 0.5002),
+        tip_height(0.2),
+    )
+    options: dict[str, Any] = {"events": asked, "tolerance": 1e-6}
+    t = direction * np.array([1.0, 3.0])
+    for threads in (1, 2, 3):
+        many = ensemble(RODS, states, t, method, threads=threads, **options)
+        assert all(each.times.size > 5 for each in many.events)
+        for each in many.events:
+            assert (np.diff(each.trajectories) >= 0).all()
+    check_alone(many, RODS, states, t, method, **options)
+
+
+@pytest.mark.parametrize("terminal", [1, 3])
+@pytest.mark.parametrize("method", ["taylor", "dop853"])
+def test_an_event_ends_its_own_run(method: str, terminal: int) -> None:
+    states = 3.0 * starts(RODS, 40)
+    options: dict[str, Any] = {
+        "events": (flip(1, terminal=terminal), flip(2, terminal=terminal), tip_height(0.0)),
+        "tolerance": 1e-8,
+    }
+    t = np.linspace(0.0, 5.0, 11)
+    many = ensemble(RODS, states, t, method, **options)
+    assert set(many.outcomes) == {"event", "reached_end"}
+    check_alone(many, RODS, states, t, method, **options)
+    ended = many.outcomes == "event"
+    assert (many.reached[ended] < 5.0).all()
+    assert (many.reached[~ended] == 5.0).all()
+
+
+@pytest.mark.parametrize("system", SYSTEMS[:2], ids=lambda s: s.name)
+def test_events_of_one_bob(system: System) -> None:
+    states = 4.0 * starts(system, 17)
+    options: dict[str, Any] = {"events": (flip(1), velocity_zero(1), tip_height(-0.1))}
+    many = ensemble(system, states, [4.0], **options)
+    check_alone(many, system, states, [4.0], "taylor", **options)
+
+
+# ---- bad ones ----
+
+
+@pytest.mark.parametrize("method", ["taylor", "dop853", "rk4", "gauss4", "verlet"])
+def test_one_that_goes_wrong_leaves_the_others_alone(method: str) -> None:
+    system = SYSTEMS[1]
+    good = starts(system, 12)
+    bad = [[2.0**27, 0.0], [1.0, 1e300], [2.0**26 - 3.0, 50.0]]
+    places = [0, 5, 6, 14]
+    states = np.insert(good, [0, 4, 4, 11], [*bad, [-3e9, 1.0]], axis=0)
+    options = {} if method in ("taylor", "dop853") else {"step": 0.01}
+    t = [0.5, 1.0]
+    many = ensemble(system, states, t, method, **options)
+    assert [i for i in range(16) if many.outcomes[i] != "reached_end"] == places
+    assert set(many.outcomes[places]) == {"not_finite"}
+    check_alone(many, system, states, t, method, **options)
+    rest = np.delete(many.states, places, axis=0)
+    np.testing.assert_array_equal(rest, ensemble(system, good, t, method, **options).states)
+
+
+@pytest.mark.parametrize("limit", [1, 7, 12])
+@pytest.mark.parametrize(("method", "system"), ALL, ids=NAMES)
+def test_a_limit_of_steps(method: Any, system: System, limit: int) -> None:
+    states, t = starts(system, 20), [0.05, 0.11, 1.0]
+    options = {"max_steps": limit, **settings(method)}
+    many = ensemble(system, states, t, method.name, **options)
+    assert "step_limit" in many.outcomes or method.name == "taylor"
+    check_alone(many, system, states, t, method.name, **options)
+
+
+# ---- until when they are right ----
+
+
+@pytest.mark.parametrize(("method", "options"), [("taylor", {"tolerance": 1e-7}), ("rk4", {})])
+def test_the_horizon_of_each_is_that_of_its_run(method: str, options: dict[str, float]) -> None:
+    options = {"step": 0.01} if method == "rk4" else options
+    states = starts(RODS, 6)
+    states[2, 0] = 2.0**27  # right until its first step at most
+    many = ensemble(RODS, states, [4.0, 8.0], method, certify=1e-5, threads=2, **options)
+    check_alone(many, RODS, states, [4.0, 8.0], method, certify=1e-5, **options)
+    assert many.trust_horizon is not None
+    assert many.trust_horizon[2] == {"taylor": math.inf, "rk4": 0.01}[method]
+    told = RODS, states[0], method, 0.0, 8.0
+    single = horizon(*told, certify=1e-5, **{"step": None, "tolerance": None, **options})
+    assert many.trust_horizon[0] == single
+    assert np.isfinite(many.trust_horizon).any()
+
+
+def test_events_and_certify_go_together() -> None:
+    states = 3.0 * starts(RODS, 6)
+    options: dict[str, Any] = {"certify": 1e-6, "events": flip(2, terminal=True)}
+    many = ensemble(RODS, states, [6.0], tolerance=1e-4, **options)
+    check_alone(many, RODS, states, [6.0], "taylor", tolerance=1e-4, **options)
+
+
+# ---- while it runs ----
+
+
+@pytest.mark.parametrize("options", [{}, {"certify": 1e-6}])
+def test_progress_rises_to_the_end(options: dict[str, float]) -> None:
+    told: list[float] = []
+    count = 40 if options else 3000
+    ensemble(RODS, starts(RODS, count), [60.0], progress=told.append, **options)
+    assert len(told) > 2
+    assert all(0.0 <= a <= b for a, b in pairwise(told))
+    assert told[-1] == 1.0
+
+
+@pytest.mark.parametrize("threads", [1, 3])
+@pytest.mark.parametrize(
+    ("count", "t", "method", "options"),
+    [
+        (40, 1e6, "taylor", {}),
+        (40, 1e6, "dop853", {}),
+        (40, 1e6, "dop853", {"events": flip(1)}),
+        (40, 1e6, "gauss8", {"step": 1e-3}),
+        (10**6, 100.0, "taylor", {}),
+        (40, 200.0, "taylor", {"certify": 1.0}),
+    ],
+)
+def test_an_interrupt_ends_it_within_a_second(
+    count: int, t: float, method: str, options: dict[str, Any], threads: int
+) -> None:
+    states = starts(RODS, count)
+    timer = threading.Timer(0.4, signal.raise_signal, [signal.SIGINT])
+    started = time.monotonic()
+    timer.start()
+    with pytest.raises(KeyboardInterrupt):
+        ensemble(RODS, states, [t], method, threads=threads, **options)
+    assert time.monotonic() - started < 1.4
+
+
+def test_an_error_of_the_progress_ends_it() -> None:
+    def fail(share: float) -> None:
+        raise RuntimeError(share)
+
+    with pytest.raises(RuntimeError):
+        ensemble(RODS, starts(RODS, 40), [1e6], progress=fail)
+
+
+# ---- wrong calls ----
+
+
+@pytest.mark.parametrize(
+    ("system", "states", "t", "options", "told"),
+    [
+        (RODS, np.zeros(4), 1.0, {"threads": 0}, r"threads must be a whole number from 1 to 1024"),
+        (RODS, np.zeros(4), 1.0, {"threads": 1.5}, r"threads must be a whole number"),
+        (RODS, np.zeros(4), 1.0, {"threads": 2000}, r"from 1 to 1024, got 2000"),
+        ([RODS, SYSTEMS[0]], np.zeros(4), 1.0, {}, r"got double rods, linear; make an ensemble"),
+        ([RODS, SYSTEMS[3]], np.zeros(4), 1.0, {}, r"got double bobs, double rods; make"),
+        ([], np.zeros(4), 1.0, {}, r"system must be one pendulum, or n of .* got none"),
+        ("double", np.zeros(4), 1.0, {}, r"system must be a pendulum .* got 'double'"),
+        ([RODS, 5], np.zeros(4), 1.0, {}, r"system must be a pendulum .* got 5"),
+        ([RODS, RODS], np.zeros((3, 4)), 1.0, {}, r"shape \(n, 4\), for 2 systems, got \(3, 4\)"),
+        (RODS, np.zeros((2, 2, 4)), 1.0, {}, r"states must be one for each .* got \(2, 2, 4\)"),
+        (RODS, np.zeros(3), 1.0, {}, r"states must be \(theta1, .* got shape \(3,\)"),
+        (RODS, [[0, 0, 0, math.nan]], 1.0, {}, r"states must hold finite .* at states\[0, 3\]"),
+        (RODS, np.zeros(4), 0.0, {}, r"t must differ from t0"),
+        (RODS, np.zeros(4), [1.0, 0.5], {}, r"t must rise"),
+        (RODS, np.zeros(4), 1.0, {"method": "magic"}, r"method must be one of euler, "),
+        (RODS, np.zeros(4), 1.0, {"method": "verlet"}, r"method 'verlet' needs a system"),
+        (RODS, np.zeros(4), 1.0, {"method": "rk4"}, r"step is needed"),
+        (RODS, np.zeros(4), 1.0, {"step": 0.1}, r"step is not taken by the adaptive"),
+        (RODS, np.zeros(4), 1.0, {"tolerance": 1.0}, r"tolerance must lie between"),
+        (RODS, np.zeros(4), 1.0, {"max_steps": 0}, r"max_steps must be a whole number"),
+        (RODS, np.zeros(4), 1.0, {"certify": 2.0}, r"certify must be an angle of at most 1 rad"),
+        (SYSTEMS[1], np.zeros(2), 1.0, {"events": flip(2)}, r"i must be 1 for the simple"),
+        (
+            RODS,
+            np.zeros(4),
+            1.0,
+            {"events": flip(1), "method": "rk4", "step": 0.1},
+            r"events are not taken by the fixed-step method 'rk4'",
+        ),
+        (RODS, np.zeros(4), 1e300, {}, r"t0 and t must be small enough"),
+    ],
+)
+def test_wrong_calls_are_told(
+    system: Any, states: Any, t: Any, options: dict[str, Any], told: str
+) -> None:
+    with pytest.raises(ValueError, match=told):
+        ensemble(system, states, t, **options)
