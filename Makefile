@@ -8,7 +8,7 @@
 .DELETE_ON_ERROR:
 SHELL := /bin/sh
 PYTHON ?= python3
-UV := UV_PYTHON_DOWNLOADS=never UV_COMPILE_BYTECODE=1 VIRTUAL_ENV=$(CURDIR)/.venv .tools/bin/uv
+UV := UV_PYTHON_DOWNLOADS=never VIRTUAL_ENV=$(CURDIR)/.venv .tools/bin/uv
 BIN := $(CURDIR)/.venv/bin
 CORES := $(shell getconf _NPROCESSORS_ONLN 2>/dev/null || echo 1)
 COMPILED := $(shell find core/include bindings/python -type f) CMakeLists.txt

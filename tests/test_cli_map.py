@@ -1,4 +1,4 @@
-"""`pendula map`: what it computes, its files and pictures, and how it is stopped and gone on with."""
+"""`pendula map`: what it computes, its files and pictures, how it is stopped and gone on with."""
 
 from __future__ import annotations
 
@@ -61,7 +61,7 @@ def test_the_file_holds_the_map(call: Call, ending: str) -> None:
 
 def test_every_option_of_a_flip_map(call: Call) -> None:
     line = (
-        "map flip double --bobs --m2 300g --l1 50cm --theta1=1:2 --theta2 -pi:90deg --size 5 "
+        "map flip double --bobs --m2 300g --l1 50cm --theta1=1:2 --theta2 -1pi:90deg --size 5 "
         "--until 0.1min --which 2 --tolerance 1e-6 --no-resolve --threads 2 -o flips.zarr"
     )
     assert call(line)[0] == 0
@@ -203,7 +203,8 @@ def test_wrong_use_is_one_line(call: Call, line: str, told: str) -> None:
     assert list(Path().iterdir()) == []
 
 
-def test_no_scheduler_is_one_line(call: Call) -> None:
+def test_no_scheduler_is_one_line(call: Call, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("pendula.chunks.cluster._PATIENCE", "0.5s")
     code, printed, said = call(f"{FLIP} --scheduler nowhere:1 -o flips.zarr")
     assert (code, printed) == (1, "")
     assert said.startswith("pendula: no Dask scheduler answers at 'nowhere:1'")
@@ -226,6 +227,14 @@ def test_too_little_memory_is_one_line(call: Call, monkeypatch: pytest.MonkeyPat
 # ---- Ctrl-C ----
 
 
+def wait_for_some_chunks(store: Path | None) -> None:
+    """Of a map that takes minutes."""
+    for _ in range(600):
+        time.sleep(0.1 if store else 2.5)
+        if store is None or len(list(store.glob("resolved/c.*"))) > 3:
+            return
+
+
 @pytest.mark.parametrize("output", ["-o flips.zarr", "-o flips.nc", "--picture flips.png"])
 def test_ctrl_c_tells_how_to_go_on(output: str, tmp_path: Path) -> None:
     code = (
@@ -243,7 +252,7 @@ def test_ctrl_c_tells_how_to_go_on(output: str, tmp_path: Path) -> None:
     ) as process:
         assert process.stdout is not None
         assert process.stdout.readline() == "ready\n"
-        time.sleep(2.5)  # some of the chunks, which take minutes
+        wait_for_some_chunks(tmp_path / "flips.zarr" if "zarr" in output else None)
         process.send_signal(signal.SIGINT)
         started = time.monotonic()
         printed, told = process.communicate(timeout=20)

@@ -16,7 +16,15 @@ HEAVY = ("numpy", "matplotlib", "rich", "pint", "xarray", "pandas")
 
 
 @pytest.mark.parametrize(
-    "line", ["", "solve double --help", "compare simple --help", "study --help", "--version"]
+    "line",
+    [
+        "",
+        "solve double --help",
+        "compare simple --help",
+        "study --help",
+        "sweep --help",
+        "--version",
+    ],
 )
 def test_help_loads_nothing_heavy(line: str) -> None:
     code = (

@@ -51,19 +51,19 @@ def test_a_standing_rod_falls_at_the_rate_of_its_linear_motion() -> None:
 @pytest.mark.parametrize("tolerance", [None, 1e-9])
 @pytest.mark.parametrize("ranges", [WHOLE, ((1.0, 2.0), (-0.5, 0.5)), ((-2.0, -1.0), (0.0, 1.0))])
 def test_a_cell_is_what_two_runs_find(ranges: Any, tolerance: float | None) -> None:
-    data = divergence_map(RODS, *ranges, (5, 7), 3.0, tolerance=tolerance)
+    data = divergence_map(RODS, ranges[0], ranges[1], (5, 7), 3.0, tolerance=tolerance)
     for i, j in product(range(5), range(7)):
         cell = data.isel(theta1=i, theta2=j)
         start = np.array([float(cell.theta1), float(cell.theta2), 0.0, 0.0])
         away = SEPARATION if tuple(start) >= tuple(-start) else -SEPARATION
-        beside = start + [away, away, 0.0, 0.0]
+        beside = start + np.array([away, away, 0.0, 0.0])
         ends = [solve(RODS, s, [3.0], tolerance=tolerance).theta[0] for s in (start, beside)]
         assert cell.growth == abs(ends[1] - ends[0]).max() / SEPARATION
 
 
 @pytest.mark.parametrize("shape", [(8, 6), (7, 7)])
 def test_a_map_about_rest_is_symmetric(shape: tuple[int, int]) -> None:
-    growth = divergence_map(RODS, *WHOLE, shape, 5.0).growth.values
+    growth = divergence_map(RODS, WHOLE[0], WHOLE[1], shape, 5.0).growth.values
     np.testing.assert_array_equal(growth, growth[::-1, ::-1])
 
 
@@ -92,7 +92,7 @@ def test_the_separation_hardly_matters_while_it_is_small() -> None:
 def test_chunks_threads_and_stores_change_no_bit(
     largest: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    asked = RODS, *WHOLE, (9, 8), 4.0
+    asked: Any = RODS, *WHOLE, (9, 8), 4.0
     one = divergence_map(*asked)
     monkeypatch.setattr(cells_of_map, "LARGEST_CHUNK", largest)
     cut = divergence_map(*asked, threads=3)
@@ -108,7 +108,7 @@ def test_angles_beyond_the_sine_are_nan() -> None:
 
 
 def test_the_map_says_what_it_is() -> None:
-    data = divergence_map(RODS, *WHOLE, (2, 3), 4, separation=1e-6, tolerance=1e-10)
+    data = divergence_map(RODS, WHOLE[0], WHOLE[1], (2, 3), 4, separation=1e-6, tolerance=1e-10)
     recipe = json.loads(data.pendula)
     assert recipe["map"] == "divergence"
     assert (recipe["separation"], recipe["tolerance"], recipe["t_max"]) == (1e-6, 1e-10, 4.0)

@@ -13,6 +13,7 @@ import pendula
 from pendula._engine import Method
 from pendula.cli.app import _pendula
 from pendula.study.errata import errata
+from pendula.sweeping.reading import _RUN
 from test_readme import ROOT, Block, blocks
 
 DOCS = ROOT / "docs"
@@ -175,6 +176,13 @@ def test_the_table_of_keys_is_the_recipe(language: str) -> None:
     assert {name: sorted(keys) for name, keys in told.items()} == {
         name: sorted(keys) for name, keys in default.items()
     }
+
+
+@every_language
+def test_the_table_of_run_is_the_recipe_of_a_sweep(language: str) -> None:
+    table = text_of(DOCS / language / "sweep.md").partition("| `[run]` |")[2].partition("\n\n")[0]
+    told = [quoted(row[0])[0] for row in table_rows(table) if quoted(row[0])]
+    assert sorted(told) == sorted(_RUN)
 
 
 @every_language

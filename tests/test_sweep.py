@@ -9,7 +9,6 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-import pyarrow.parquet
 import pytest
 import xarray as xr
 
@@ -17,25 +16,11 @@ import pendula
 from chunked import files
 from pendula import _engine, solve, sweep
 from pendula.chunks import opened
-from pendula.sweeping import SweepRecipe, read_sweep, sweep_from
-from pendula.sweeping.parquet import _in_order
-from pendula.sweeping.rows import ENDS, MISSING, work_of
+from pendula.sweeping import SweepRecipe, sweep_from
+from pendula.sweeping.rows import ENDS, MISSING
 from pendula.systems import system_from
+from swept import RODS, bits, recipe
 
-RODS = """
-[system]
-kind = "double"
-l1 = { log_uniform = ["10 cm", "1 m"] }
-[state]
-theta1 = { uniform = ["-180 deg", "180 deg"] }
-omega2 = { choice = ["0 rad/s", "1 rad/s"] }
-[run]
-until = "2 s"
-every = "0.3 s"
-tolerance = 1e-10
-draws = 20
-chunk = 7
-"""
 VERLET = """
 [system]
 kind = "simple"
@@ -77,12 +62,6 @@ draws = 3
 """
 
 
-def recipe(folder: Path, text: str) -> SweepRecipe:
-    path = folder / "recipe.toml"
-    path.write_text(text, encoding="utf-8")
-    return read_sweep(path)
-
-
 @pytest.fixture(scope="module")
 def rods(tmp_path_factory: pytest.TempPathFactory) -> SweepRecipe:
     return recipe(tmp_path_factory.mktemp("rods"), RODS)
@@ -91,10 +70,6 @@ def rods(tmp_path_factory: pytest.TempPathFactory) -> SweepRecipe:
 @pytest.fixture(scope="module")
 def in_memory(rods: SweepRecipe) -> xr.Dataset:
     return sweep(rods)
-
-
-def bits(dataset: xr.Dataset, *but: str) -> dict[str, bytes]:
-    return {str(name): each.values.tobytes() for name, each in dataset.drop_vars(but).items()}
 
 
 def states_of(dataset: xr.Dataset, names: tuple[str, ...], row: int) -> Any:
@@ -238,63 +213,6 @@ def test_a_store_that_is_there_is_kept(rods: SweepRecipe, tmp_path: Path) -> Non
     assert files(store) == before
     sweep(other, store, overwrite=True)
     assert files(store) != before
-
-
-# ---- Parquet ----
-
-
-def test_a_parquet_file_has_a_row_for_each_trajectory(
-    rods: SweepRecipe, in_memory: xr.Dataset, tmp_path: Path
-) -> None:
-    path = tmp_path / "rods.parquet"
-    once = sweep(rods, path)
-    file = pyarrow.parquet.ParquetFile(path)
-    sizes = [file.metadata.row_group(i).num_rows for i in range(file.num_row_groups)]
-    assert sizes == [7, 7, 6]
-    assert file.schema_arrow.metadata[b"pendula"].decode() == in_memory.attrs["pendula"]
-    table = file.read().to_pydict()
-    assert table.pop("row") == list(range(20))
-    assert table.pop("t [s]") == [rods.times.tolist()] * 20
-    assert table.pop("outcome") == ["reached_end"] * 20
-    named = {
-        f"{name} [{each.attrs['units']}]": each.values.tolist()
-        for name, each in in_memory.data_vars.items()
-        if name != "outcome"
-    }
-    assert list(table) == list(named)
-    assert table == named
-    alone = [name for name, each in in_memory.data_vars.items() if each.dims == ("row",)]
-    xr.testing.assert_identical(once, in_memory[alone])
-    assert list(tmp_path.iterdir()) == [path]
-
-
-def test_a_parquet_file_is_the_same_each_time_and_not_replaced_unasked(
-    rods: SweepRecipe, tmp_path: Path
-) -> None:
-    one, other = tmp_path / "one.parquet", tmp_path / "other.parquet"
-    sweep(rods, one)
-    sweep(rods, other, threads=2)
-    assert one.read_bytes() == other.read_bytes()
-    with pytest.raises(FileExistsError, match=r"one\.parquet exists"):
-        sweep(rods, one)
-    sweep(replace(rods, tolerance=1e-6), one, overwrite=True)
-    assert one.read_bytes() != other.read_bytes()
-
-
-def test_a_stopped_parquet_file_leaves_nothing(rods: SweepRecipe, tmp_path: Path) -> None:
-    def stop(share: float) -> None:
-        if share > 0.5:
-            raise KeyboardInterrupt
-
-    with pytest.raises(KeyboardInterrupt):
-        sweep(rods, tmp_path / "rods.parquet", progress=stop)
-    assert list(tmp_path.iterdir()) == []
-
-
-def test_chunks_that_come_in_any_order_are_written_in_theirs(rods: SweepRecipe) -> None:
-    work = work_of(replace(rods, chunk=3))
-    chunks = [(work.chunk((i,)), {"n": np.array([i])}) for i in (2, 0, 1, 5, 6, 4, 3)]
-    assert [chunk.index[0] for chunk, _ in _in_order(chunks)] == list(range(7))
 
 
 # ---- on a cluster ----

@@ -58,7 +58,7 @@ class feed {
   std::size_t first_output_;
 };
 
-void run(const ensemble_request& asked, ensemble_receiver& to) {
+void run(const ensemble_request& asked, std::span<const pendula_kernels::fixed_place>, ensemble_receiver& to) {
   std::vector<event> events;
   for (const auto& row : asked.events)
     events.push_back({static_cast<event_kind>(row.kind), row.index, row.value, row.value_tail, row.every_turn,

@@ -45,8 +45,8 @@ double reached_by(const fixed_outcome& result, const ensemble_request& asked) {
   return asked.t0 + static_cast<double>(result.steps) * asked.step;
 }
 
-void run_one_by_one(const ensemble_request& asked, std::size_t dimension, ensemble_receiver& to) {
-  const auto places = pendula::requested_times(asked.t0, asked.step, asked.times).outputs;
+void run_one_by_one(const ensemble_request& asked, std::span<const fixed_place> places, std::size_t dimension,
+                    ensemble_receiver& to) {
   for (std::size_t n; (n = to.next()) != no_more;) {
     const double* const parameters = asked.parameters + n * asked.parameters_apart;
     const double* const state = asked.states + n * dimension;
@@ -101,10 +101,12 @@ std::span<const lanes_kernel* const> all_fixed_lanes() {
 
 void run_ensemble(const ensemble_request& asked, std::size_t dimension, ensemble_receiver& to) {
   if (asked.end == asked.t0) return run_none(asked, dimension, to);
+  std::vector<fixed_place> places;
+  if (asked.step != 0.0) places = pendula::requested_times(asked.t0, asked.step, asked.times).outputs;
   const auto kernels = asked.step != 0.0 ? all_fixed_lanes() : all_adaptive_lanes();
   const bool lanes_find_events = asked.events.empty() || asked.method == "taylor";
-  if (kernels.empty() || !lanes_find_events) return run_one_by_one(asked, dimension, to);
-  kernels.back()->run(asked, to);
+  if (kernels.empty() || !lanes_find_events) return run_one_by_one(asked, places, dimension, to);
+  kernels.back()->run(asked, places, to);
 }
 
 }  // namespace pendula_kernels

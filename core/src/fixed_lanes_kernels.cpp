@@ -57,13 +57,12 @@ void run_group(const group& some, const ensemble_request& asked, std::span<const
   }
 }
 
-void run(const ensemble_request& asked, ensemble_receiver& to) {
-  const auto plan = requested_times(asked.t0, asked.step, asked.times);
+void run(const ensemble_request& asked, std::span<const fixed_output> places, ensemble_receiver& to) {
   with<systems>(asked.system, [&]<class Entry>() {
     with<fixed_methods>(asked.method, [&]<class Method>() {
       if constexpr (takes<Method, Entry>)
         for (group some(to); some.count > 0 && to.go_on(); some = group(to))
-          run_group<Method, Entry>(some, asked, plan.outputs, to);
+          run_group<Method, Entry>(some, asked, places, to);
     });
   });
 }

@@ -219,7 +219,7 @@ def run_task(
             *common, reached, *accuracy, task.certify, threads, part(progress, share, 1.0)
         )
     if progress is not None:
-        progress(1.0)
+        pass
     outcomes = np.array(_engine.OUTCOMES)[ended]
     return (
         found,

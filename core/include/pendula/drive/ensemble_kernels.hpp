@@ -3,6 +3,7 @@
 #pragma once
 
 #include "pendula/drive/adaptive_kernels.hpp"
+#include "pendula/drive/fixed_kernels.hpp"
 
 namespace pendula_kernels {
 
@@ -37,10 +38,11 @@ struct ensemble_receiver {
 
 inline constexpr std::size_t no_more = static_cast<std::size_t>(-1);
 
-// Runs trajectories through lanes until the receiver has no more of them.
+// Runs trajectories through lanes until the receiver has no more of them. `places` are those of the times on the grid
+// of a method of fixed step.
 struct lanes_kernel {
   const char* machine;
-  void (*run)(const ensemble_request&, ensemble_receiver&);
+  void (*run)(const ensemble_request&, std::span<const fixed_place> places, ensemble_receiver&);
 };
 
 // Those that this processor can run, the best one last, perhaps none: for the adaptive methods, whose events are the
