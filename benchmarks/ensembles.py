@@ -60,14 +60,16 @@ def by_heyoka(states: Any) -> tuple[float, Any]:
 
 def by_cluster(threads: int) -> tuple[float, float]:
     """Wall times [s] of a map by as many threads, and by as many workers of a local cluster."""
-    from distributed import Client, LocalCluster
+    import distributed
 
+    client_of: Any = distributed.Client  # untyped
+    cluster_of: Any = distributed.LocalCluster
     cells = (TURN, TURN, (CLUSTER_SIDE, CLUSTER_SIDE), T_MAX)
     with (
-        LocalCluster(
+        cluster_of(
             n_workers=threads, threads_per_worker=1, processes=True, dashboard_address=None
         ) as cluster,
-        Client(cluster) as client,
+        client_of(cluster) as client,
     ):
         pendula.flip_map(SYSTEM, TURN, TURN, (64, 64), 1.0, client=client)  # imports there
         least = [math.inf, math.inf]

@@ -15,6 +15,8 @@ using pendula_kernels::ensemble_request;
 // Two registers side by side where there are 32 of them: one fills the other's waiting.
 constexpr int width = lanes_of_machine == 8 ? 16 : lanes_of_machine;
 using S = pack<double, width>;
+// AVX2's lanes do for DOP853, which takes as long to compile as all the rest.
+using methods_through_lanes = std::conditional_t<lanes_of_machine == 8, std::tuple<taylor>, adaptive_methods>;
 
 static_assert(pendula_kernels::no_more == no_trajectory);
 
@@ -66,7 +68,7 @@ void run(const ensemble_request& asked, std::span<const pendula_kernels::fixed_p
   const std::size_t first_output = !asked.times.empty() && asked.times[0] == asked.t0 ? 1 : 0;
   const lanes_task task{asked.t0, asked.end, asked.step_limit, asked.times.subspan(first_output), events};
   with<systems>(asked.system, [&]<class Entry>() {
-    with<adaptive_methods>(asked.method, [&]<class Method>() {
+    with<methods_through_lanes>(asked.method, [&]<class Method>() {
       using One = typename Method::template stepper<typename Entry::template over<double>>;
       using Lanes = typename Method::template stepper<typename Entry::template over<S>>;
       const std::size_t count = Entry::forms[asked.form].parameters.size();

@@ -106,7 +106,8 @@ void run_ensemble(const ensemble_request& asked, std::size_t dimension, ensemble
   const auto kernels = asked.step != 0.0 ? all_fixed_lanes() : all_adaptive_lanes();
   const bool lanes_find_events = asked.events.empty() || asked.method == "taylor";
   if (kernels.empty() || !lanes_find_events) return run_one_by_one(asked, places, dimension, to);
-  kernels.back()->run(asked, places, to);
+  const bool widest_has_it = asked.step != 0.0 || asked.method == "taylor";
+  (widest_has_it ? kernels.back() : kernels.front())->run(asked, places, to);
 }
 
 }  // namespace pendula_kernels

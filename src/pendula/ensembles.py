@@ -86,15 +86,20 @@ class Ensemble:
 
     @property
     def energy(self) -> Array:
-        """Total energy at the outputs, (n, m) [J]."""
+        """Total energy at the outputs, (n, m), NaN where a run did not come so far [J]."""
         import numpy as np
 
         systems = (self.systems,) if isinstance(self.systems, System) else self.systems
+        lacking = np.asarray(~np.isfinite(self.states).all(axis=-1))
+        states = np.where(lacking[..., np.newaxis], 0.0, self.states)
         if len(systems) == 1:
-            return systems[0].energy(self.states)
-        return np.stack(
-            [each.energy(mine) for each, mine in zip(systems, self.states, strict=True)]
-        )
+            energies = systems[0].energy(states)
+        else:
+            energies = np.stack(
+                [each.energy(mine) for each, mine in zip(systems, states, strict=True)]
+            )
+        energies[lacking] = np.nan
+        return energies
 
 
 def ensemble(
@@ -219,7 +224,7 @@ def run_task(
             *common, reached, *accuracy, task.certify, threads, part(progress, share, 1.0)
         )
     if progress is not None:
-        pass
+        progress(1.0)
     outcomes = np.array(_engine.OUTCOMES)[ended]
     return (
         found,
