@@ -188,7 +188,8 @@ class event_tracker {
     if (what_.kind == event_kind::angle) {
       const wide<double> turns = wide<double>(detail::turn_head, detail::turn_tail) * static_cast<double>(n);
       const wide<double> angle(two_sum(point.head[what_.index], point.tail[what_.index]));
-      return rounded(angle - wide<double>(what_.value, what_.value_tail) - turns);
+      // the target first: that of −π is then exactly the opposite of that of π
+      return rounded(angle - (wide<double>(what_.value, what_.value_tail) + turns));
     }
     const auto y = stepper.state_of(point);
     if (what_.kind == event_kind::velocity) return y[y.size() / 2 + what_.index] - what_.value;

@@ -49,6 +49,7 @@ inline double only_root(const polynomial& p, double a, double b, bool rising) {
   double x = 0.5 * (a + b);
   for (int i = 0; i < 100; ++i) {
     const double value = p(x);
+    if (value == 0.0) return x;  // on neither side: a falling root is where a rising one would be
     if ((value < 0.0) == rising) {
       a = x;
     } else {
