@@ -208,8 +208,8 @@ std::uint64_t hash_of_all() {
 
 int main(int count, char** arguments) {
 #ifdef PENDULA_SANITIZED
-  constexpr int widths[] = {1, 4};  // each takes long to compile
-  const std::uint64_t found[] = {hash_of_all<double>(), hash_of_all<pack<double, 4>>()};
+  constexpr int widths[] = {4};  // each takes long to compile; one trajectory's outputs and events are in it, too
+  const std::uint64_t found[] = {hash_of_all<pack<double, 4>>()};
 #else
   constexpr int widths[] = {1, 2, 4, 8};
   const std::uint64_t found[] = {hash_of_all<double>(), hash_of_all<pack<double, 2>>(), hash_of_all<pack<double, 4>>(),

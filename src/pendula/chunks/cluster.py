@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import uuid
 from typing import TYPE_CHECKING, Any
 
@@ -14,6 +15,7 @@ if TYPE_CHECKING:
     from pendula.chunks.work import Arrays, Chunk, Compute
 
 _AHEAD = 2  # tasks for each thread of the workers: one runs, one waits
+_ADDRESS = re.compile(r"((tcp|tls|ws|wss|ucx|inproc)://)?(\[[^\s\]]+\]|[^\s:/]+):\d+")
 _PATIENCE = "10s"  # for a scheduler to answer
 
 
@@ -21,9 +23,15 @@ def connect(scheduler: str) -> Any:
     """A Client of the scheduler at an address such as tcp://host:8786 (extra: cluster).
 
     Raises:
+        ValueError: for what is no address.
         ConnectionError: where no scheduler answers.
     """
     distributed = extra("distributed", "cluster")
+    if not _ADDRESS.fullmatch(scheduler):
+        raise ValueError(
+            f"scheduler must be an address such as tcp://localhost:8786, got {scheduler!r}; "
+            "it is what dask scheduler prints when it starts"
+        )
     try:
         return distributed.Client(scheduler, timeout=_PATIENCE, set_as_default=False)
     except (OSError, ValueError) as error:

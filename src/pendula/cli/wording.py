@@ -26,6 +26,7 @@ _OTHER_NAMES = {
             "amplitude",
             "until",
             "points",
+            "scheduler",
             "threads",
             "which",
             "separation",
