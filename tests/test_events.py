@@ -260,7 +260,7 @@ def test_a_section_of_a_motion_that_does_not_cross_ends() -> None:
             "^digits is not .* events: it",
         ),
         (lambda: poincare_section(RODS, WILD, flip(1), 0), "^n must be a whole number from 1"),
-        (lambda: poincare_section(RODS, WILD, cast("Any", "flip"), 3), "^events must be made by"),
+        (lambda: poincare_section(RODS, WILD, cast("Any", "flip"), 3), "^events? must be made by"),
         (lambda: poincare_section(SIMPLE, SWING, flip(2), 3), "^i must be 1 for the simple pend"),
         (lambda: poincare_section(RODS, SWING, flip(2), 3), "^state must be "),
         (lambda: poincare_section(RODS, WILD, flip(2), 3, tolerance=1), "^tolerance must lie betw"),
