@@ -66,7 +66,8 @@ class MethodWork:
         low, costs = max(i - 1, 0), (self.evaluations, self.seconds)
         # where errors go up and down, a later run can be there for less
         cheapest = there[np.argmin(self.evaluations[there])]
-        at_first = [float(c[low] * (c[i] / c[low]) ** share) for c in costs]
+        # a run so short that the clock saw no time has no logarithm
+        at_first = [float(c[low] * (c[i] / c[low]) ** share if c[low] > 0 else c[i]) for c in costs]
         evaluations, seconds = min(at_first, [float(c[cheapest]) for c in costs])
         return evaluations, seconds
 
