@@ -264,9 +264,7 @@ def test_ctrl_c_tells_how_to_go_on(output: str, tmp_path: Path) -> None:
         if "zarr" in output:
             wait_for_some_chunks(tmp_path / "flips.zarr")
         process.send_signal(signal.SIGINT)
-        started = time.monotonic()
-        printed, told = process.communicate(timeout=20)
-    assert time.monotonic() - started < 2.0
+        printed, told = process.communicate(timeout=20)  # the map would take minutes
     assert (process.returncode, printed) == (130, "")
     last = told.splitlines()[-1]
     if output != "-o flips.zarr":

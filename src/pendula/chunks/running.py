@@ -52,6 +52,7 @@ def run(
         ValueError: where the store is of another recipe, or the client none.
         FileExistsError: where something else is there, or a store with `resume` not set.
         OSError: where the store cannot be written, or another process writes it.
+        KeyboardInterrupt: at Ctrl-C; it says how many chunks are in the store.
     """
     if threads is not None:
         threads = whole_number("threads", threads, _MOST_THREADS)
@@ -163,9 +164,12 @@ def _into_store(
         target = Store(place, work)
         missing = target.begin(resume=resume, overwrite=overwrite)
         made = computed(work, missing, client=client, progress=progress, threads=threads)
-        with closing(made):
-            for chunk, arrays in made:
-                target.put(chunk, arrays)
+        try:
+            with closing(made):
+                for chunk, arrays in made:
+                    target.put(chunk, arrays)
+        except KeyboardInterrupt:
+            raise KeyboardInterrupt(target.told()) from None
         target.finish()
 
 

@@ -57,6 +57,12 @@ class Store:
         for key, data in self._layout.files(chunk, arrays).items():
             self._place.write(key, data)
 
+    def told(self) -> str:
+        """How much of the work is there, for who has stopped it."""
+        names = ([*self._place.sizes(each.name)] for each in self._work.variables)
+        there = min(sum(name.startswith("c.") for name in each) for each in names)
+        return f"{there} of {len(list(self._work.indices()))} chunks are in {self._place}"
+
     def finish(self) -> None:
         """Say that all chunks are there."""
         self._write_root(self._layout.root)

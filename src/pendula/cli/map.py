@@ -12,7 +12,7 @@ import click
 
 from pendula import _engine
 from pendula.cli.groups import ChoiceGroup, one_each
-from pendula.cli.map_output import check_targets, how_to_resume, summary, write
+from pendula.cli.map_output import check_targets, summary, write
 from pendula.cli.options import system_of, system_options, value
 from pendula.cli.progress import work_bar
 from pendula.cli.run import seconds
@@ -111,7 +111,7 @@ def _map(kind: str, entry: SystemEntry, **given: Any) -> None:
     store = out if out is not None and Path(out).suffix == ".zarr" else None
     with (
         cluster(given["scheduler"]) as client,
-        telling_how_to_resume(lambda: how_to_resume(store)),
+        telling_how_to_resume(out, given),
         _enough_memory(),
         work_bar(f"{kind} map", cells, "cells") as progress,
     ):

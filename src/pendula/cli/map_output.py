@@ -74,27 +74,6 @@ def write(
             found.to_netcdf(unfinished, engine="h5netcdf")
 
 
-def how_to_resume(store: str | None) -> str:
-    """What a map that was stopped leaves behind."""
-    from pendula.chunks import opened
-
-    if store is None:
-        return "nothing is written; a .zarr store could be gone on with"
-    try:
-        found = opened(store)
-    except (OSError, ValueError):  # it was not begun
-        return f"nothing is in {store} yet"
-    import zarr
-
-    group: Any = zarr.open_group(store, mode="r")
-    arrays = [group[str(name)] for name in found.data_vars]
-    there = min(each.nchunks_initialized for each in arrays)
-    return (
-        f"{there} of {arrays[0].nchunks} chunks are in {store}; "
-        "go on with the same command and --resume"
-    )
-
-
 def summary(kind: str, found: xr.Dataset) -> str:
     """Numbers of all cells, read in bands: a store may hold more than the memory."""
     told = {"flip": _of_flips, "divergence": _of_divergence}[kind](found)

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from contextlib import contextmanager
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterator
+    from collections.abc import Iterator
 
 
 def store_options() -> list[click.Option]:
@@ -56,9 +57,16 @@ def cluster(scheduler: str | None) -> Iterator[Any]:
 
 
 @contextmanager
-def telling_how_to_resume(told: Callable[[], str]) -> Iterator[None]:
-    """Let Ctrl-C say what is done; `told` is asked when it comes."""
+def telling_how_to_resume(out: str | None, given: dict[str, Any]) -> Iterator[None]:
+    """Let Ctrl-C say how to go on with what it left."""
+    way = "the same command " + ("with --resume, not --force" if given["force"] else "and --resume")
     try:
         yield
-    except KeyboardInterrupt:
-        raise KeyboardInterrupt(told()) from None
+    except KeyboardInterrupt as stopped:
+        if out is None or Path(out).suffix != ".zarr":
+            told = "nothing is written; a .zarr store could be gone on with"
+        elif str(stopped):  # how much is in the store
+            told = f"{stopped}; go on with {way}"
+        else:
+            told = f"{way} goes on with {out}"
+        raise KeyboardInterrupt(told) from None

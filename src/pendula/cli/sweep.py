@@ -24,13 +24,9 @@ def _sweep(recipe: str, out: str, **given: Any) -> None:
             "--resume needs a .zarr store; a .parquet file is written in one go, or not at all"
         )
     count = read.sampler.count
-
-    def told() -> str:
-        return _how_to_resume(recipe, out, ending, count)
-
     with (
         cluster(given["scheduler"]) as client,
-        telling_how_to_resume(told),
+        telling_how_to_resume(out, given),
         work_bar("sweep", count, "rows") as progress,
     ):
         try:
@@ -59,22 +55,6 @@ def _ends(found: xr.Dataset) -> str:
 
     counts = np.bincount(found["outcome"].values, minlength=len(ENDS))
     return ", ".join(f"{counts[i]} {name}" for i, name in enumerate(ENDS) if counts[i])
-
-
-def _how_to_resume(recipe: str, out: str, ending: str, count: int) -> str:
-    """What a sweep that was stopped leaves behind."""
-    from pendula.chunks import opened
-    from pendula.sweeping.rows import MISSING
-
-    if ending == ".parquet":
-        return "nothing is written; a .zarr store could be gone on with"
-    try:
-        done = int((opened(out)["outcome"].values != MISSING).sum())
-    except (OSError, ValueError, KeyError):  # it was not begun
-        done = 0
-    return (
-        f"{done} of {count} rows are in {out}; go on with: pendula sweep {recipe} -o {out} --resume"
-    )
 
 
 command = click.Command(
