@@ -240,11 +240,11 @@ import sys
 from pendula.cli import main
 from pendula.maps import cells, flip
 cells.LARGEST_CHUNK = 50
-compute, first = flip.FlipCells.__call__, iter(["computing"])
+compute, first = flip.FlipMap.__call__, iter(["computing"])
 def told(*given):
     print(*(word + chr(10) for word in first), end="", flush=True)
     return compute(*given)
-flip.FlipCells.__call__ = told
+flip.FlipMap.__call__ = told
 sys.exit(main(sys.argv[1:]))
 """
 

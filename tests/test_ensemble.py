@@ -247,3 +247,35 @@ def test_events_and_certify_go_together() -> None:
     options: dict[str, Any] = {"certify": 1e-6, "events": flip(2, terminal=True)}
     many = ensemble(RODS, states, [6.0], tolerance=1e-4, **options)
     check_alone(many, RODS, states, [6.0], "taylor", tolerance=1e-4, **options)
+
+
+# ---- with digits ----
+
+
+@pytest.mark.parametrize("direction", [1.0, -1.0])
+def test_digits_are_those_of_a_run_alone(direction: float) -> None:
+    states, t = np.array([[2.0, 2.5, 0.0, 0.0], [0.3, 0.1, 0.0, 1.0]]), [direction * 3.0]
+    states = np.insert(states, 1, [2.0**51, 0.0, 0.0, 0.0], axis=0)
+    told = list[float]()
+    many = ensemble(RODS, states, t, digits=12, progress=told.append)
+    assert many.outcomes.tolist() == ["reached_end", "not_finite", "reached_end"]
+    assert many.reached.tolist() == [t[0], 0.0, t[0]]
+    assert np.isnan(many.states[1]).all()
+    for i in (0, 2):
+        alone = solve(RODS, states[i], t, digits=12)
+        np.testing.assert_array_equal(many.states[i], alone.states)
+    assert told == sorted(told)
+    assert told[-1] == 1.0
+
+
+def test_digits_of_systems_of_their_own_at_the_start_too() -> None:
+    systems = [DoublePendulum.rods(), DoublePendulum.bobs()]
+    with pytest.raises(ValueError, match="n of the same kind and form, got double bobs, double"):
+        ensemble(systems, [1.0, 1.0, 0.0, 0.0], [0.0, 1.0], digits=10)
+    systems = [DoublePendulum.rods(l1=l1) for l1 in (0.5, 1.0)]
+    many = ensemble(systems, [1.0, 1.0, 0.0, 0.0], [0.0, 1.0], digits=10)
+    for system, states in zip(systems, many.states, strict=True):
+        alone = solve(system, [1.0, 1.0, 0.0, 0.0], [0.0, 1.0], digits=10)
+        np.testing.assert_array_equal(states, alone.states)
+    with pytest.raises(ValueError, match="digits is not taken together with tolerance"):
+        ensemble(systems[0], [1.0, 1.0, 0.0, 0.0], 1.0, digits=10, tolerance=1e-9)

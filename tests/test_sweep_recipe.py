@@ -220,7 +220,7 @@ def _double(system: str = "", state: str = "", run: str = 'until = "1 s"') -> st
         (_double('l1 = { grid = ["1 m", "2 m"] }'), 3, "grid must be two ends and a count"),
         (_double('l1 = { grid = ["1 m", "2 m", 1] }'), 3, "a grid must have at least 2 values"),
         (_double('l1 = { grid = ["1 m", "2 m", 2.5] }'), 3, "the count of a grid must be a whole"),
-        (_double("l1 = { list = [] }"), 3, "system.l1 list must be a list"),
+        (_double("l1 = { list = [] }"), 3, "list must be a list of one value at least"),
         (_double('l1 = { same_as = "m1" }'), 3, "same_as must be one of l2, got"),
         (_double('l1 = { same_as = "l2" }\nl2 = { same_as = "l1" }'), 3, "has no like of it"),
         (_double('l1 = "1e300 m"'), 3, "'l1': 1e+300"),
@@ -231,7 +231,11 @@ def _double(system: str = "", state: str = "", run: str = 'until = "1 s"') -> st
         (_double(run='until = "1 s"\nevery = "2 s"'), 8, "run.every must not exceed run.until = 1"),
         (_double(run='method = "rk5"\nuntil = "1 s"'), 7, "method must be one of euler, heun"),
         (_double(run='method = "verlet"\nuntil = "1 s"'), 7, "method 'verlet' needs a system"),
-        (_double(run='method = "rk4"\nuntil = "1 s"'), 7, "step is needed by the fixed-step"),
+        (
+            _double(run='until = "1 s"\nmethod = "rk4"'),
+            8,
+            "run.step is needed by the fixed-step method 'rk4'; write step = \"1 ms\", say",
+        ),
         (
             _double(run='until = "1 s"\nmethod = "rk4"\nstep = "1 ms"\ntolerance = 1e-9'),
             10,
@@ -240,7 +244,7 @@ def _double(system: str = "", state: str = "", run: str = 'until = "1 s"') -> st
         (_double(run='until = "1 s"\nstep = "1 ms"'), 8, "step is not taken by the adaptive"),
         (_double(run='until = "1 s"\ntolerance = 1.0'), 8, "tolerance must lie between"),
         (_double(run='until = "1 s"\ntolerance = "tight"'), 8, "tolerance must be a number"),
-        (_double(run='until = "1e300 s"'), 7, "small enough to tell times apart"),
+        (_double(run='until = "1e300 s"'), 7, "run.until must be small enough to tell times apart"),
         (_double(run='until = "1 s"\ncertify = 2'), 8, "certify must be an angle of at most 1 rad"),
         (_double(run='until = "1 s"\ncertify = "1 s"'), 8, "run.certify must be in rad"),
         (_double(run='until = "1 s"\nmax_steps = 0'), 8, "run.max_steps must be a whole number"),
@@ -257,6 +261,11 @@ def _double(system: str = "", state: str = "", run: str = 'until = "1 s"') -> st
             _double('l1 = { grid = ["1 m", "2 m", 99999] }', run='until = "1 s"\nevery = "1 us"'),
             8,
             "run.chunk rows must have at most 10000000 outputs together, got 1000 rows of 1000001",
+        ),
+        (
+            _double('l1 = { uniform = ["1 m", "2 m"] }', run='until = "1 s"\ndraws = 1000000001'),
+            8,
+            "run.chunk must leave at most 1000000 chunks, got 1000000001 rows in chunks of 1000; ",
         ),
     ],
 )

@@ -116,6 +116,21 @@ def whole_number(name: str, value: object, most: int) -> int:
     return number
 
 
+def flag(name: str, value: object) -> bool:
+    """`value`, True or False and nothing that only counts as one."""
+    if type(value).__name__ not in ("bool", "bool_"):
+        raise ValueError(f"{name} must be True or False, got {value!r}")
+    return bool(value)
+
+
+def check_progress(progress: object) -> None:
+    """Refuse what cannot be called."""
+    if progress is not None and not callable(progress):
+        raise ValueError(
+            f"progress must be a function of the part that is done, or None, got {progress!r}"
+        )
+
+
 def one_of(name: str, value: object, choices: Iterable[str]) -> str:
     """`value`, which has to be one of the names."""
     known = tuple(choices)

@@ -2,26 +2,20 @@
 
 from __future__ import annotations
 
-import math
-import os
 from collections.abc import Iterable
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
-from pendula import _engine
 from pendula._arguments import (
-    check_rounding_of_times,
     checked_method,
-    checked_tolerance,
-    log2_of,
+    checked_options,
     output_times,
-    step_size,
 )
-from pendula._checks import LARGEST_COUNT, finite_number, states_array, whole_number
+from pendula._checks import check_progress, finite_number, states_array
 from pendula._progress import part
-from pendula.events import checked_events
-from pendula.solving import check_together, checked_certify
 from pendula.systems import System, check_system
+from pendula.tasks import EnsembleCrossings, Runs, Task, checked_threads, run_task
+from pendula.trust import digits_states
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -33,23 +27,6 @@ if TYPE_CHECKING:
     from pendula.events import Event
 
     Array = NDArray[np.float64]
-
-MOST_THREADS = 1024
-_PLAIN_SHARE = 0.02  # of the work of a certified ensemble: the runs themselves
-
-
-class EnsembleCrossings(NamedTuple):
-    """Where an event took place in the trajectories of an ensemble.
-
-    Attributes:
-        trajectories: numbers of the trajectories, rising, (k,).
-        times: in the order of each run, (k,) [s].
-        states: at those times, (k, d) [rad, rad/s].
-    """
-
-    trajectories: NDArray[np.int64]
-    times: Array
-    states: Array
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -114,6 +91,7 @@ def ensemble(
     max_steps: int | None = None,
     events: Event | Iterable[Event] = (),
     certify: float | None = None,
+    digits: int | None = None,
     threads: int | None = None,
     progress: Progress = None,
 ) -> Ensemble:
@@ -126,13 +104,16 @@ def ensemble(
         system: a pendulum, or n of the same kind and form.
         states: (n, d) at time t0, or one state (d,) for n systems [rad, rad/s].
         t: output times, as `solve` takes them, (m,), or the end time alone, m = 1 [s].
-        method: a name that `methods()` lists; all but dop853 run through the processor's lanes.
+        method: a name that `methods()` lists; all run through the processor's lanes, but those of
+            dop853 with events.
         t0: time of the states [s].
         step: as for `solve`.
         tolerance: as for `solve`.
         max_steps: most steps of each run. None: no limit.
         events: as for `solve`.
         certify: as for `solve`; takes some fifty times as long as the runs.
+        digits: as for `solve`, one trajectory after the other; where they cannot be had the states
+            are NaN and the outcome is "not_finite".
         threads: None: one for each processor.
         progress: told the part of the trajectories that is done, 0 to 1, some times a second.
 
@@ -142,109 +123,22 @@ def ensemble(
     Raises:
         ValueError: for an argument out of range.
     """
+    check_progress(progress)
     systems = _checked_systems(system)
     kind = systems[0]
     chosen = checked_method(method, kind)
     origin = finite_number("t0", t0, "s")
     times, _ = output_times(t, origin)
-    together = {"step": step, "tolerance": tolerance, "certify": certify, "max_steps": max_steps}
-    check_together(chosen, None, **together, events=events or None)
-    for each in systems if chosen.adaptive else ():
-        check_rounding_of_times(each, origin, float(times[-1]))
-    task = Task(
-        kind.name,
-        kind.form,
-        chosen.name,
-        origin,
-        times,
-        None if chosen.adaptive else step_size(chosen.name, step, origin, float(times[-1])),
-        checked_tolerance(tolerance) if chosen.adaptive else None,
-        None if max_steps is None else whole_number("max_steps", max_steps, LARGEST_COUNT),
-        checked_events(events, kind),
-        None if certify is None else checked_certify(certify),
-    )
+    given = {"step": step, "tolerance": tolerance, "certify": certify, "max_steps": max_steps}
+    options = checked_options(systems, chosen, origin, times, digits, events, **given)
+    task = Task(kind.name, kind.form, chosen.name, origin, times, **options)
     starts, parameters = _checked_rows(systems, states)
-    found = run_task(task, parameters, starts, checked_threads(threads), progress)
+    count = checked_threads(threads)
+    if digits is None:
+        found = run_task(task, parameters, starts, count, progress)
+    else:
+        found = _runs_with_digits(task, systems, starts, digits, progress)
     return Ensemble(system if isinstance(system, System) else systems, chosen.name, times, *found)
-
-
-@dataclass(frozen=True)
-class Task:
-    """What all trajectories of an ensemble have in common, checked."""
-
-    system: str
-    form: str
-    method: str
-    t0: float
-    t: Array
-    step: float | None = None
-    tolerance: float | None = None
-    max_steps: int | None = None
-    events: tuple[Event, ...] = ()
-    certify: float | None = None
-
-    @property
-    def signed_step(self) -> float:
-        """The step in the direction of time, 0 where the method chooses its own."""
-        return math.copysign(self.step or 0.0, float(self.t[-1]) - self.t0)
-
-
-def run_task(
-    task: Task, parameters: Array, states: Array, threads: int, progress: Progress = None
-) -> tuple[
-    Array,
-    NDArray[np.str_],
-    NDArray[np.int64],
-    Array,
-    tuple[EnsembleCrossings, ...],
-    Array | None,
-]:
-    """States, outcomes, steps, times reached, crossings and trust horizons of checked rows.
-
-    Args:
-        task: what they have in common.
-        parameters: of the systems, (n, p), or (1, p) for all.
-        states: at t0, (n, d) [rad, rad/s].
-        threads: how many.
-        progress: as for `ensemble`.
-    """
-    import numpy as np
-
-    share = 1.0 if task.certify is None else _PLAIN_SHARE
-    form = _engine.system_entries()[task.system].form_index(task.form)
-    common = task.system, form, parameters, task.method, states, task.t0
-    accuracy = task.signed_step, log2_of(task.tolerance or 1.0)
-    limit, rows = task.max_steps or LARGEST_COUNT, [each.row() for each in task.events]
-    found, ended, steps, reached, crossings = _engine.ensemble(
-        *common, task.t, *accuracy, limit, rows, threads, part(progress, 0.0, share)
-    )
-    horizons = None
-    if task.certify is not None:
-        horizons = _engine.trust_horizons(
-            *common, reached, *accuracy, task.certify, threads, part(progress, share, 1.0)
-        )
-    if progress is not None:
-        progress(1.0)
-    outcomes = np.array(_engine.OUTCOMES)[ended]
-    return (
-        found,
-        outcomes,
-        steps,
-        reached,
-        tuple(EnsembleCrossings(*c) for c in crossings),
-        horizons,
-    )
-
-
-def checked_threads(threads: int | None) -> int:
-    """How many threads: those asked for, or one for each processor that this process may use."""
-    if threads is None:
-        return (
-            len(os.sched_getaffinity(0))
-            if hasattr(os, "sched_getaffinity")
-            else os.cpu_count() or 1
-        )
-    return whole_number("threads", threads, MOST_THREADS)
 
 
 def _checked_systems(system: System | Sequence[System]) -> tuple[System, ...]:
@@ -279,3 +173,25 @@ def _checked_rows(systems: tuple[System, ...], states: ArrayLike) -> tuple[Array
         )
     parameters = np.array([list(each.parameters.values()) for each in systems])
     return np.ascontiguousarray(starts), parameters
+
+
+def _runs_with_digits(
+    task: Task, systems: tuple[System, ...], starts: Array, digits: int, progress: Progress
+) -> Runs:
+    """Runs right to so many digits."""
+    import numpy as np
+
+    n, late = len(starts), task.t[task.t != task.t0]
+    states = np.full((n, task.t.size, starts.shape[1]), np.nan)
+    states[:, task.t == task.t0] = starts[:, np.newaxis]
+    outcomes, reached = np.full(n, "reached_end"), np.full(n, task.t[-1])
+    for i, start in enumerate(starts if late.size else ()):
+        system = systems[i % len(systems)]
+        share = part(progress, i / n, (i + 1) / n)
+        try:
+            states[i, task.t != task.t0] = digits_states(
+                system, start, late, task.t0, digits, share
+            )[0]
+        except ValueError:
+            outcomes[i], reached[i] = "not_finite", task.t0
+    return Runs(states, outcomes, np.zeros(n, np.int64), reached)

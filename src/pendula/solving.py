@@ -9,16 +9,14 @@ from typing import TYPE_CHECKING
 from pendula import _engine
 from pendula._arguments import (
     BEST_TOLERANCE,
-    check_rounding_of_times,
     checked_method,
+    checked_options,
     checked_state,
-    checked_tolerance,
     output_times,
-    step_size,
 )
-from pendula._checks import LARGEST_COUNT, finite_number, positive_number, whole_number
+from pendula._checks import LARGEST_COUNT, check_progress, finite_number
 from pendula._progress import part
-from pendula.events import checked_events, crossings_of
+from pendula.events import crossings_of
 from pendula.systems import System, check_system
 from pendula.trajectory import Request, Trajectory, run_adaptive
 
@@ -34,7 +32,6 @@ if TYPE_CHECKING:
     Array = NDArray[np.float64]
 
 MOST_OUTPUTS = 10**8  # of a run's own steps: 3 to 4 GB of states
-MOST_DIGITS = 15  # that a double holds
 _PLAIN_SHARE = 0.02  # of the work of a certified run: the run itself
 
 
@@ -88,26 +85,15 @@ def solve(
         ValueError: for an unknown method, or an argument out of range.
     """
     check_system(system)
+    check_progress(progress)
     chosen = checked_method(method, system)
     start = checked_state(state, system)
     origin = finite_number("t0", t0, "s")
     times, own_steps = output_times(t, origin)
-    end = float(times[-1])
-    together = {"step": step, "tolerance": tolerance, "certify": certify, "max_steps": max_steps}
-    check_together(chosen, digits, **together, events=events or None)
-    if chosen.adaptive:
-        check_rounding_of_times(system, origin, end)
-    asked = Request(
-        start,
-        float(times[0]) if own_steps else times,
-        origin,
-        None if chosen.adaptive else step_size(chosen.name, step, origin, end),
-        None if max_steps is None else whole_number("max_steps", max_steps, LARGEST_COUNT),
-        checked_tolerance(tolerance) if chosen.adaptive and digits is None else None,
-        checked_events(events, system),
-        None if certify is None else checked_certify(certify),
-        digits,
-    )
+    given = {"step": step, "tolerance": tolerance, "certify": certify, "max_steps": max_steps}
+    options = checked_options([system], chosen, origin, times, digits, events, **given)
+    wanted = float(times[0]) if own_steps else times
+    asked = Request(start, wanted, origin, **options, digits=digits)
     if asked.digits is not None:
         return _solve_digits(system, asked, times, progress)
     return _solve(system, chosen, times, asked, progress)
@@ -224,43 +210,3 @@ def _reached(run: Trajectory) -> float:
     if run.outcome == "reached_end":
         return end
     return asked.t0 + math.copysign(run.n_steps * (asked.step or 0.0), end - asked.t0)
-
-
-def checked_certify(certify: float) -> float:
-    """The largest angle that a certified run may be off by."""
-    allowed = positive_number("certify", certify, "rad")
-    if allowed > 1.0:
-        raise ValueError(
-            f"certify must be an angle of at most 1 rad, got {allowed!r}: beyond it two motions "
-            "have nothing to do with one another"
-        )
-    return allowed
-
-
-def check_together(method: _engine.Method, digits: int | None, **given: object) -> None:
-    """Refuse arguments that do not go with the method, or with digits."""
-    if digits is not None:
-        whole_number("digits", digits, MOST_DIGITS)
-        other = f"the method {method.name!r}" if method.name != "taylor" else None
-        for name in (other, *(name for name, value in given.items() if value is not None)):
-            if name:
-                raise ValueError(
-                    f"digits is not taken together with {name}: it chooses method and precision "
-                    "by itself; leave one of the two out"
-                )
-    if method.adaptive and given["step"] is not None:
-        raise ValueError(
-            f"step is not taken by the adaptive method {method.name!r}, got {given['step']!r}; "
-            "leave it out, or name a tolerance"
-        )
-    if not method.adaptive and given["tolerance"] is not None:
-        raise ValueError(
-            f"tolerance is not taken by the fixed-step method {method.name!r}, "
-            f"got {given['tolerance']!r}; choose the step, or an adaptive method such as 'taylor'"
-        )
-    if not method.adaptive and given["events"] is not None:
-        raise ValueError(
-            f"events are not taken by the fixed-step method {method.name!r}, which does not know "
-            "the motion inside its steps; "
-            f"take {' or '.join(each.name for each in methods() if each.adaptive)}"
-        )

@@ -159,7 +159,7 @@ class _LongRuns:
         end = float(self.times[-1])
         span = end - self.t0
         parted = horizon(self.system, self.state, "taylor", self.t0, end, certify=PARTED) - self.t0
-        if math.isinf(parted):
+        if math.isinf(parted) or parted == 0.0:  # an angle that doubles cannot run with
             return self._level_for(digits + LOST)
         lost = GROWTH_ALLOWED * LOST * span / parted
         # in about this time the errors of the lowest level grow to the size of the motion

@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterator
 
 _PART = ".part"  # a file that is being written: .name.part
+_FILES = (".nc", ".h5", ".parquet", ".csv")  # endings of what is no store
 _FULL = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG)
 _NO_LOCKS = (errno.EBADF, errno.ENOLCK, errno.ENOSYS, errno.EOPNOTSUPP)  # of some network disks
 
@@ -46,8 +47,25 @@ class Place(Protocol):
 
 def place_at(store: str | os.PathLike[str]) -> Place:
     """The place of a path, or of a URL such as s3://bucket/flips.zarr."""
-    text = os.fspath(store)
+    text = checked_name(store)
+    if Path(text).suffix in _FILES:
+        raise ValueError(
+            f"store must be a Zarr store such as 'map.zarr', got {text!r}; other files are written "
+            "from the dataset"
+        )
     return Remote(text) if "://" in text else Folder(Path(text))
+
+
+def checked_name(store: object) -> str:
+    """The path or URL of a store, as text.
+
+    Raises:
+        ValueError: for anything else.
+    """
+    text = os.fspath(store) if isinstance(store, (str, os.PathLike)) else store
+    if not isinstance(text, str) or not text:
+        raise ValueError(f"store must be a path or a URL such as 'map.zarr', got {text!r}")
+    return text
 
 
 class Folder:

@@ -7,7 +7,7 @@ import os
 from contextlib import closing
 from typing import TYPE_CHECKING, Any
 
-from pendula._checks import extra, whole_number
+from pendula._checks import check_progress, extra, whole_number
 from pendula.chunks.cluster import check_client, spread
 from pendula.chunks.places import place_at
 from pendula.chunks.store import Store
@@ -56,6 +56,7 @@ def run(
     """
     if threads is not None:
         threads = whole_number("threads", threads, _MOST_THREADS)
+    check_progress(progress)
     if client is not None:
         check_client(client)
     extra("xarray", "io")

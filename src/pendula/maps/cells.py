@@ -10,7 +10,6 @@ from typing import TYPE_CHECKING, Any
 from pendula import _engine
 from pendula._checks import finite_number, whole_number
 from pendula.chunks import Axis
-from pendula.systems import DoublePendulum
 
 if TYPE_CHECKING:
     import numpy as np
@@ -21,7 +20,7 @@ if TYPE_CHECKING:
     Array = NDArray[np.float64]
 
 NAMES = ("theta1", "theta2")
-MOST_CELLS = 10**6  # along an angle
+MOST_CELLS, MOST_OF_ALL = 10**6, 10**10  # along an angle, and in all: days of work
 LARGEST_CHUNK = 256  # cells along an angle: 65536 trajectories, about a second of one processor
 
 
@@ -79,8 +78,8 @@ class Cells:
     def starts(self, chunk: Chunk) -> Array:
         """States (n, 4) of the cells of a chunk, row by row, and only those that are not mirrored.
 
-        Of a cell and its mirror image it is the same one that is run, in any map, so that the
-        numbers are those of the cell: the last bit of an event's time is not that of its image.
+        Of a cell and its mirror image it is the same one that is run, in any map: both have the
+        numbers of the one.
         """
         import numpy as np
 
@@ -117,23 +116,17 @@ def checked_cells(theta1: object, theta2: object, shape: object) -> Cells:
     counts = tuple(shape) if isinstance(shape, Iterable) else (shape,)
     if len(counts) != 2:
         raise ValueError(f"shape must be two numbers of cells, such as (500, 500), got {shape!r}")
-    n1, n2 = (whole_number("shape", count, MOST_CELLS) for count in counts)
+    try:
+        n1, n2 = (whole_number("shape", count, MOST_CELLS) for count in counts)
+    except ValueError as error:
+        raise ValueError(f"{error} in {counts}") from None
+    if n1 * n2 > MOST_OF_ALL:
+        raise ValueError(
+            f"shape must be at most 10^10 cells in all, got {n1} x {n2}; take a smaller rectangle"
+        )
     return Cells(
         (_checked_range(NAMES[0], theta1, n1), _checked_range(NAMES[1], theta2, n2)), (n1, n2)
     )
-
-
-def checked_double(system: object) -> DoublePendulum:
-    """The system, which has two angles.
-
-    Raises:
-        ValueError: for another.
-    """
-    if not isinstance(system, DoublePendulum):
-        raise ValueError(
-            f"system must be a double pendulum such as DoublePendulum.rods(), got {system!r}"
-        )
-    return system
 
 
 def _checked_range(name: str, given: object, count: int) -> tuple[float, float]:

@@ -6,12 +6,11 @@ import math
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-from pendula import __version__
-from pendula._arguments import check_rounding_of_times, checked_tolerance
+from pendula._arguments import checked_tolerance
 from pendula._checks import positive_number
-from pendula.chunks import Variable, Work, run
-from pendula.ensembles import Task, checked_threads, run_task
-from pendula.maps.cells import NAMES, Cells, checked_cells, checked_double
+from pendula.chunks import Variable
+from pendula.maps.cells import NAMES
+from pendula.maps.work import Map, checked_map
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -73,51 +72,33 @@ def divergence_map(
     Raises:
         ValueError: for an argument out of range, or a store of another map.
     """
-    chosen = checked_double(system)
-    cells = checked_cells(theta1, theta2, shape)
-    end = positive_number("t_max", t_max, "s")
-    check_rounding_of_times(chosen, 0.0, end)
+    where = checked_map(system, theta1, theta2, shape, t_max)
     apart = positive_number("separation", separation, "rad")
     if not SMALLEST_SEPARATION <= apart <= LARGEST_SEPARATION:
         raise ValueError(
             f"separation must lie between {SMALLEST_SEPARATION:g} and {LARGEST_SEPARATION:g} rad, "
             f"got {apart!r}: nearer they are one, farther apart no neighbours"
         )
-    compute = DivergenceCells(chosen, cells, end, apart, checked_tolerance(tolerance))
-    told = {"units": "1", "long_name": "growth of the distance of neighbours until t_max"}
-    work = Work(
-        recipe=compute.recipe(),
-        axes=cells.axes(),
-        variables=(Variable("growth", NAMES, "float64", math.nan, told),),
-        compute=compute,
-        attrs={"title": "Divergence of neighbours, double pendulum, from rest", "t_max": end},
-        mirrored=cells.mirrored,
-    )
+    asked = DivergenceMap(*where, apart, checked_tolerance(tolerance))
     how: dict[str, Any] = {"client": client, "progress": progress, "threads": threads}
-    return run(work, store, **how, resume=resume, overwrite=overwrite)
+    return asked.dataset(store, **how, resume=resume, overwrite=overwrite)
 
 
 @dataclass(frozen=True)
-class DivergenceCells:
-    """What computes the cells of a chunk."""
+class DivergenceMap(Map):
+    """What computes the divergence of neighbours, from checked arguments."""
 
-    system: DoublePendulum
-    cells: Cells
-    t_max: float
+    kind = "divergence"
+    title = "Divergence of neighbours, double pendulum, from rest"
+
     separation: float
     tolerance: float
 
-    def recipe(self) -> dict[str, Any]:
-        """All that decides the numbers."""
-        return {
-            "pendula": __version__,
-            "map": "divergence",
-            "system": self.system.description(),
-            **self.cells.description(),
-            "t_max": self.t_max,
-            "separation": self.separation,
-            "tolerance": self.tolerance,
-        }
+    @property
+    def variables(self) -> tuple[Variable, ...]:
+        """How far they have moved apart."""
+        told = {"units": "1", "long_name": "growth of the distance of neighbours until t_max"}
+        return (Variable("growth", NAMES, "float64", math.nan, told),)
 
     def __call__(
         self, chunk: Chunk, threads: int | None, progress: Progress
@@ -125,15 +106,11 @@ class DivergenceCells:
         """The growth at the cells of a chunk."""
         import numpy as np
 
-        end = np.array([self.t_max])
-        task = Task(
-            self.system.name, self.system.form, "taylor", 0.0, end, tolerance=self.tolerance
-        )
-        parameters = np.array([list(self.system.parameters.values())])
         starts = self.cells.starts(chunk)
         neighbours = starts.copy()
         neighbours[:, :2] += self.separation
         both = np.concatenate([starts, neighbours])
-        ends = run_task(task, parameters, both, checked_threads(threads), progress)[0][:, 0, :2]
+        found = self.runs(both, threads, progress, tolerance=self.tolerance)
+        ends = found.states[:, 0, :2]
         apart = abs(ends[len(starts) :] - ends[: len(starts)]).max(axis=1)
         return {"growth": self.cells.whole(chunk, apart / self.separation)}

@@ -6,14 +6,13 @@ import math
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-from pendula import __version__
-from pendula._arguments import BEST_TOLERANCE, check_rounding_of_times, checked_tolerance
-from pendula._checks import positive_number, whole_number
+from pendula._arguments import BEST_TOLERANCE, checked_tolerance
+from pendula._checks import flag, whole_number
 from pendula._progress import part
-from pendula.chunks import Variable, Work, run
-from pendula.ensembles import Task, checked_threads, run_task
+from pendula.chunks import Variable
 from pendula.events import flip
-from pendula.maps.cells import NAMES, Cells, checked_cells, checked_double
+from pendula.maps.cells import NAMES
+from pendula.maps.work import Map, checked_map
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -84,52 +83,53 @@ def flip_map(
     Raises:
         ValueError: for an argument out of range, or a store of another map.
     """
-    chosen = checked_double(system)
-    cells = checked_cells(theta1, theta2, shape)
-    end = positive_number("t_max", t_max, "s")
-    check_rounding_of_times(chosen, 0.0, end)
-    rod = _checked_rod(which)
-    compute = FlipCells(chosen, cells, end, rod, checked_tolerance(tolerance), bool(resolve))
-    if resolve and compute.tolerance * TIGHTER < BEST_TOLERANCE:
+    where = checked_map(system, theta1, theta2, shape, t_max)
+    again = flag("resolve", resolve)
+    asked = FlipMap(*where, _checked_rod(which), checked_tolerance(tolerance), again)
+    if again and asked.tolerance * TIGHTER < BEST_TOLERANCE:
         raise ValueError(
             f"tolerance must be at least {BEST_TOLERANCE / TIGHTER:.3g} for another run with a "
-            f"thousandth of it, got {compute.tolerance!r}; take a larger one, or resolve=False"
+            f"thousandth of it, got {asked.tolerance!r}; take a larger one, or resolve=False"
         )
-    work = Work(
-        recipe=compute.recipe(),
-        axes=cells.axes(),
-        variables=_variables(compute),
-        compute=compute,
-        attrs={"title": "Flip map of the double pendulum, from rest", "t_max": end},
-        mirrored=cells.mirrored,
-    )
     how: dict[str, Any] = {"client": client, "progress": progress, "threads": threads}
-    return run(work, store, **how, resume=resume, overwrite=overwrite)
+    return asked.dataset(store, **how, resume=resume, overwrite=overwrite)
 
 
 @dataclass(frozen=True)
-class FlipCells:
-    """What computes the cells of a chunk."""
+class FlipMap(Map):
+    """What computes flip times, from checked arguments."""
 
-    system: DoublePendulum
-    cells: Cells
-    t_max: float
+    kind = "flip"
+    title = "Flip map of the double pendulum, from rest"
+
     which: int | None
     tolerance: float
     resolve: bool
 
-    def recipe(self) -> dict[str, Any]:
-        """All that decides the numbers."""
-        return {
-            "pendula": __version__,
-            "map": "flip",
-            "system": self.system.description(),
-            **self.cells.description(),
-            "t_max": self.t_max,
-            "which": self.which,
-            "tolerance": self.tolerance,
-            "resolve": self.resolve,
-        }
+    @property
+    def variables(self) -> tuple[Variable, ...]:
+        """Flip times, rods, and how sure they are."""
+        rods = "either rod" if self.which is None else f"rod {self.which}"
+        told = [
+            Variable(
+                "flip_time",
+                NAMES,
+                "float64",
+                math.nan,
+                {"units": "s", "long_name": f"time until {rods} first flips"},
+            ),
+            Variable("flipped_rod", NAMES, "uint8", 0, {"long_name": "rod that flipped, 0: none"}),
+            Variable(
+                "forbidden", NAMES, "bool", False, {"long_name": "energy too small for a flip"}
+            ),
+        ]
+        if self.resolve:
+            meaning = (
+                f"a run at tolerance {TIGHTER * self.tolerance:.3g} agrees: flip times to "
+                f"{AGREEMENT:g} of them, or angles at t_max to {AGREEMENT:g} rad"
+            )
+            told.append(Variable("resolved", NAMES, "bool", False, {"long_name": meaning}))
+        return tuple(told)
 
     def __call__(
         self, chunk: Chunk, threads: int | None, progress: Progress
@@ -172,26 +172,15 @@ class FlipCells:
         import numpy as np
 
         rods = [self.which] if self.which else [1, 2]
-        task = Task(
-            self.system.name,
-            self.system.form,
-            "taylor",
-            0.0,
-            np.array([self.t_max]),
-            tolerance=tolerance,
-            events=tuple(flip(rod, terminal=True) for rod in rods),
-        )
+        events = tuple(flip(rod, terminal=True) for rod in rods)
         places = np.flatnonzero(allowed)
-        parameters = np.array([list(self.system.parameters.values())])
-        states, outcomes, _, _, crossings, _ = run_task(
-            task, parameters, starts[places], checked_threads(threads), progress
-        )
+        found = self.runs(starts[places], threads, progress, tolerance=tolerance, events=events)
         flips = Flips(np.full(len(starts), np.nan), np.zeros(len(starts), np.uint8), starts.copy())
-        for rod, crossed in zip(rods, crossings, strict=True):
+        for rod, crossed in zip(rods, found.events, strict=True):
             flips.time[places[crossed.trajectories]] = crossed.times
             flips.rod[places[crossed.trajectories]] = rod
-        flips.end[places] = states[:, 0]
-        flips.end[places[outcomes == "not_finite"]] = np.nan
+        flips.end[places] = found.states[:, 0]
+        flips.end[places[found.outcomes == "not_finite"]] = np.nan
         return flips
 
 
@@ -219,27 +208,5 @@ def _checked_rod(which: object) -> int | None:
         return whole_number("which", which, 2)
     except ValueError:
         raise ValueError(
-            f"which must be rod 1 or 2, or None for the first that flips, got {which!r}"
+            f"which must be rod 1 or 2, or left out for the first that flips, got {which!r}"
         ) from None
-
-
-def _variables(compute: FlipCells) -> tuple[Variable, ...]:
-    rods = "either rod" if compute.which is None else f"rod {compute.which}"
-    told = [
-        Variable(
-            "flip_time",
-            NAMES,
-            "float64",
-            math.nan,
-            {"units": "s", "long_name": f"time until {rods} first flips"},
-        ),
-        Variable("flipped_rod", NAMES, "uint8", 0, {"long_name": "rod that flipped, 0: none"}),
-        Variable("forbidden", NAMES, "bool", False, {"long_name": "energy too small for a flip"}),
-    ]
-    if compute.resolve:
-        meaning = (
-            f"a run at tolerance {TIGHTER * compute.tolerance:.3g} agrees: flip times to "
-            f"{AGREEMENT:g} of them, or angles at t_max to {AGREEMENT:g} rad"
-        )
-        told.append(Variable("resolved", NAMES, "bool", False, {"long_name": meaning}))
-    return tuple(told)

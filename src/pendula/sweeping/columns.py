@@ -92,7 +92,7 @@ class Columns:
         if kind == "same_as":
             return self._same(section, row, others, value)
         if not isinstance(value, list) or not value:
-            raise self._wrong(section, row, f"{kind} must be a list", raw)
+            raise self._wrong(section, row, f"{kind} must be a list of one value at least", raw)
         with self._file.blaming(section, row.name):
             return self._spread(section, row, kind, value)
 

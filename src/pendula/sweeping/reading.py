@@ -9,6 +9,8 @@ from typing import TYPE_CHECKING, Any
 from pendula import _engine
 from pendula._arguments import (
     check_rounding_of_times,
+    check_together,
+    checked_certify,
     checked_method,
     checked_tolerance,
     step_size,
@@ -16,7 +18,6 @@ from pendula._arguments import (
 from pendula._checks import LARGEST_COUNT, one_of, whole_number
 from pendula._recipe_file import RecipeFile, as_toml
 from pendula.sampling import LARGEST_SEED, Distribution, SameAs, Sampler
-from pendula.solving import check_together, checked_certify
 from pendula.sweeping.columns import Columns
 from pendula.sweeping.recipe import SweepRecipe
 from pendula.systems import System, system_from
@@ -26,6 +27,7 @@ if TYPE_CHECKING:
 
     from pendula._engine import Form, SystemEntry
 
+MOST_CHUNKS = 10**6
 MOST_OUTPUTS = 10**7  # states of a chunk: 320 MB for the double pendulum
 _CHUNK = 1000  # rows, if none are named
 _RUN = (
@@ -139,11 +141,14 @@ class _Run:
         told = {name: given.get(name) for name in ("tolerance", "certify", "max_steps")}
         with file.blaming("run", "tolerance" if method.adaptive is False else "step"):
             check_together(method, None, step=step, **told, events=None)
+        if step is None and not method.adaptive:
+            rule = f"run.step is needed by the fixed-step method {method.name!r}"
+            raise file.blame("run", ("method", ""), f'{rule}; write step = "1 ms", say')
         with file.blaming("run", "step", "method", ""):
             size = None if method.adaptive else step_size(method.name, step, 0.0, until)
         with file.blaming("run", "until"):
             for system in self._systems if method.adaptive else ():
-                check_rounding_of_times(system, 0.0, until)
+                check_rounding_of_times(system, 0.0, until, name="run.until")
         with file.blaming("run", "tolerance"):
             tolerance = checked_tolerance(told["tolerance"]) if method.adaptive else None
         return {
@@ -191,7 +196,12 @@ class _Run:
 
 
 def _check_size(file: RecipeFile, recipe: SweepRecipe) -> None:
-    """Refuse chunks that memory has no room for."""
+    """Refuse chunks that memory has no room for, and too many of them."""
+    rows = recipe.sampler.count
+    if rows > MOST_CHUNKS * recipe.chunk:
+        rule = f"run.chunk must leave at most {MOST_CHUNKS} chunks, got {rows} rows in chunks of"
+        message = f"{rule} {recipe.chunk}; take more rows a chunk, or fewer draws"
+        raise file.blame("run", ("chunk", "draws", ""), message)
     times = 1.0 if recipe.every is None else recipe.until / recipe.every + 1
     rows = min(recipe.chunk, recipe.sampler.count)
     if rows * times > MOST_OUTPUTS:

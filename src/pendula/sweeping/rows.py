@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING
 from pendula import __version__, _engine
 from pendula._progress import part
 from pendula.chunks import Axis, Variable, Work
-from pendula.ensembles import Task, checked_threads, run_task
 from pendula.systems import LinearPendulum, System
+from pendula.tasks import Task, checked_threads, run_task
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -61,9 +61,8 @@ class SweepRows:
         recipe = self.recipe
         parameters, starts = recipe.rows(*chunk.spans[ROW])
         task = Task(recipe.system, recipe.form, recipe.method, 0.0, recipe.times, **recipe.options)
-        states, outcomes, n_steps, reached, _, horizons = run_task(
-            task, parameters, starts, checked_threads(threads), part(progress, 0.0, _RUNS)
-        )
+        how = checked_threads(threads), part(progress, 0.0, _RUNS)
+        states, outcomes, n_steps, reached, _, horizons = run_task(task, parameters, starts, *how)
         made: dict[str, NDArray[np.generic]] = {
             **dict(zip(recipe.parameters, parameters.T, strict=True)),
             **dict(zip(map(start_name, recipe.components), starts.T, strict=True)),

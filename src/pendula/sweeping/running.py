@@ -6,13 +6,14 @@ import os
 from pathlib import PurePath
 from typing import TYPE_CHECKING, Any
 
-from pendula._checks import whole_number
+from pendula._checks import check_progress, whole_number
 from pendula.chunks import run
 from pendula.chunks.cluster import check_client
-from pendula.ensembles import MOST_THREADS
+from pendula.chunks.places import checked_name
 from pendula.sweeping.reading import read_sweep
 from pendula.sweeping.recipe import SweepRecipe
 from pendula.sweeping.rows import work_of
+from pendula.tasks import MOST_THREADS
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -61,6 +62,7 @@ def sweep(
         FileExistsError: where a file is there, or what is no store.
         OSError: where the recipe cannot be read, or the store not be written.
     """
+    check_progress(progress)
     chosen = recipe if isinstance(recipe, SweepRecipe) else read_sweep(recipe)
     work = work_of(chosen)
     place: dict[str, Any] = {"client": client, "threads": threads, "progress": progress}
@@ -81,7 +83,7 @@ def ending_of(store: str | os.PathLike[str]) -> str:
     Raises:
         ValueError: for another ending, or a Parquet file that is not on this machine.
     """
-    text = os.fspath(store)
+    text = checked_name(store)
     ending = PurePath(text).suffix.lower()
     if ending not in ENDINGS:
         raise ValueError(f"store must end in {' or '.join(ENDINGS)}, got {text!r}")
