@@ -64,7 +64,7 @@ def report(build: Path) -> None:
         "pendula taylor": solved("taylor"),
         "pendula dop853, 1e-12": solved("dop853", tolerance=1e-12),
     }
-    known = [name.removeprefix("exact_") for name in machines()]
+    known = machines()
     many = dict(through_lanes(build, machine) for machine in known[-2:])
     single, together = taylor_peers.report(one, many)
     theirs = min(row.seconds for name, row in single.items() if name.startswith("heyoka"))

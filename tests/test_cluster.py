@@ -4,7 +4,10 @@ from __future__ import annotations
 
 import os
 import signal
+import threading
+import time
 from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -18,8 +21,9 @@ from pendula.chunks import Chunk, Work, computed, connect, opened, run
 distributed = pytest.importorskip("distributed")
 
 
-@pytest.fixture(scope="module")
-def client() -> Iterator[Any]:
+@contextmanager
+def workers() -> Iterator[Any]:
+    """A client of two worker processes."""
     with (
         distributed.LocalCluster(
             n_workers=2, threads_per_worker=1, processes=True, dashboard_address=":0"
@@ -27,6 +31,27 @@ def client() -> Iterator[Any]:
         distributed.Client(cluster, set_as_default=False) as client,
     ):
         yield client
+
+
+@pytest.fixture(scope="module")
+def client() -> Iterator[Any]:
+    with workers() as client:
+        yield client
+
+
+def test_no_worker_is_told(
+    caplog: pytest.LogCaptureFixture, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("pendula.chunks.cluster._UNATTENDED", 0.1)
+    with (
+        distributed.LocalCluster(n_workers=0, processes=False, dashboard_address=":0") as cluster,
+        distributed.Client(cluster, set_as_default=False) as client,
+    ):
+        threading.Timer(0.5, cluster.scale, [1]).start()
+        xr.testing.assert_identical(run(waves(), client=client), run(waves()))
+        address = client.scheduler.address
+    mine = [each.getMessage() for each in caplog.records if each.name == "pendula"]
+    assert mine == [f"no worker is at {address}; waiting for one"]
 
 
 @pytest.fixture(scope="module")
@@ -99,10 +124,11 @@ def test_a_mirrored_work_is_shared_out_too(client: Any) -> None:
 
 @dataclass(frozen=True)
 class Deadly(Waves):
-    """Its second chunk ends the process."""
+    """Its second chunk ends the process, once Dask has seen that it is there."""
 
     def __call__(self, chunk: Chunk, threads: int | None, progress: Any) -> dict[str, Any]:
         if chunk.index == (0, 1):
+            time.sleep(1.0)  # Dask does not start again what ends while it starts
             os._exit(1)
         return super().__call__(chunk, threads, progress)
 
@@ -143,17 +169,16 @@ def test_few_chunks_are_under_way(client: Any, tmp_path: Path) -> None:
     made = computed(waves(log=log), client=client)
     for done, _ in enumerate(made):
         if done == 5:
-            import time
-
             time.sleep(0.3)
             assert len(logged(log)) <= done + 4
             break
     made.close()
 
 
-def test_a_chunk_that_ends_its_workers_is_told(client: Any, tmp_path: Path) -> None:
+def test_a_chunk_that_ends_its_workers_is_told(tmp_path: Path) -> None:
     store = tmp_path / "w.zarr"
-    with pytest.raises(RuntimeError, match=r"^chunk \(0, 1\) ended 4 workers, .*is kept$"):
+    told = r"^4 workers ended with chunk \([0-4], [0-4]\) or one beside it; .*is kept$"
+    with workers() as client, pytest.raises(RuntimeError, match=told):
         run(with_compute(Deadly()), store, client=client)
     run(waves(), store)
     assert "unfinished" not in opened(store).attrs

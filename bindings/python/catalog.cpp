@@ -4,6 +4,8 @@
 #include <nanobind/nanobind.h>
 #include <nanobind/stl/string.h>
 
+#include "pendula/drive/machine.hpp"
+
 namespace nb = nanobind;
 using namespace nb::literals;
 
@@ -88,4 +90,13 @@ void bind_catalog(nb::module_& m) {
         return rows;
       },
       nb::sig("def methods() -> list[dict[str, typing.Any]]"), "The catalogue's methods.");
+  m.def(
+      "machines",
+      [] {
+        nb::list names;
+        const auto here = static_cast<std::size_t>(pendula_kernels::machine_here());
+        for (std::size_t i = 0; i <= here; ++i) names.append(text(pendula_kernels::machine_names[i]));
+        return names;
+      },
+      nb::sig("def machines() -> list[str]"), "What this processor is of the machines that loops are built for.");
 }

@@ -89,12 +89,6 @@ array_out times_at(double length, double gravity, const matrix_in& states, const
       states, [&](const double* y, std::size_t i) { return time_at(length, gravity, y[0], y[1], theta.data()[i]); });
 }
 
-std::vector<std::string> machines() {
-  std::vector<std::string> names;
-  for (const auto* each : pendula_kernels::all_exact()) names.emplace_back(each->machine);
-  return names;
-}
-
 }  // namespace
 
 void bind_exact(nb::module_& m) {
@@ -112,5 +106,4 @@ void bind_exact(nb::module_& m) {
         "When each state (m, 2) first has its angle (m,).");
   m.def("linear_time_at", &times_at<pendula::linear_time_at>, "length"_a, "gravity"_a, "states"_a, "theta"_a,
         "The same of the linear pendulum.");
-  m.def("machines", &machines, "The machines that the loops of the closed form are built for and this processor is.");
 }

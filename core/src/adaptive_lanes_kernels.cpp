@@ -60,15 +60,16 @@ class feed {
   std::size_t first_output_;
 };
 
-void run(const ensemble_request& asked, std::span<const pendula_kernels::fixed_place>, ensemble_receiver& to) {
+bool run(const ensemble_request& asked, std::span<const pendula_kernels::fixed_place>, ensemble_receiver& to) {
   std::vector<event> events;
   for (const auto& row : asked.events)
     events.push_back({static_cast<event_kind>(row.kind), row.index, row.value, row.value_tail, row.every_turn,
                       row.direction, row.at_most});
   const std::size_t first_output = !asked.times.empty() && asked.times[0] == asked.t0 ? 1 : 0;
   const lanes_task task{asked.t0, asked.end, asked.step_limit, asked.times.subspan(first_output), events};
+  bool built = false;
   with<systems>(asked.system, [&]<class Entry>() {
-    with<methods_through_lanes>(asked.method, [&]<class Method>() {
+    built = with<methods_through_lanes>(asked.method, [&]<class Method>() {
       using One = typename Method::template stepper<typename Entry::template over<double>>;
       using Lanes = typename Method::template stepper<typename Entry::template over<S>>;
       const std::size_t count = Entry::forms[asked.form].parameters.size();
@@ -79,6 +80,7 @@ void run(const ensemble_request& asked, std::span<const pendula_kernels::fixed_p
       lanes_run<Lanes, One, feed<Entry>>(lanes, one, task, trajectories).all();
     });
   });
+  return built;
 }
 
 }  // namespace

@@ -1,15 +1,22 @@
-// Which of the builds of the lanes this processor can run, and ensembles of any method.
+// Ensembles of any method, through the lanes of this processor.
 #include <vector>
 
 #include "pendula/drive/ensemble_kernels.hpp"
 #include "pendula/drive/fixed.hpp"
+#include "pendula/drive/machine.hpp"
 
 namespace pendula_kernels {
 
 #ifdef PENDULA_X86_KERNELS
-extern const lanes_kernel adaptive_lanes_avx2, adaptive_lanes_avx512, fixed_lanes_avx2;
+extern const lanes_kernel adaptive_lanes_avx2, adaptive_lanes_avx512, fixed_lanes_avx2, fixed_lanes_avx512;
+static const lanes_kernel* const adaptive_lanes[] = {&adaptive_lanes_avx2, &adaptive_lanes_avx512};
+static const lanes_kernel* const fixed_lanes[] = {&fixed_lanes_avx2, &fixed_lanes_avx512};
+static constexpr machine first_with_lanes = machine::avx2;
 #else
 extern const lanes_kernel adaptive_lanes_plain, fixed_lanes_plain;
+static const lanes_kernel* const adaptive_lanes[] = {&adaptive_lanes_plain};
+static const lanes_kernel* const fixed_lanes[] = {&fixed_lanes_plain};
+static constexpr machine first_with_lanes = machine::plain;
 #endif
 
 namespace {
@@ -76,38 +83,16 @@ void run_none(const ensemble_request& asked, std::size_t dimension, ensemble_rec
 
 }  // namespace
 
-std::span<const lanes_kernel* const> all_adaptive_lanes() {
-#ifdef PENDULA_X86_KERNELS
-  static const lanes_kernel* const kernels[] = {&adaptive_lanes_avx2, &adaptive_lanes_avx512};
-  if (!__builtin_cpu_supports("avx2") || !__builtin_cpu_supports("fma")) return {};
-  const bool wider =
-      __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl");
-  return {kernels, std::size_t{wider ? 2u : 1u}};
-#else
-  static const lanes_kernel* const kernels[] = {&adaptive_lanes_plain};
-  return kernels;
-#endif
-}
-
-std::span<const lanes_kernel* const> all_fixed_lanes() {
-#ifdef PENDULA_X86_KERNELS
-  static const lanes_kernel* const kernels[] = {&fixed_lanes_avx2};
-  if (all_adaptive_lanes().empty()) return {};
-#else
-  static const lanes_kernel* const kernels[] = {&fixed_lanes_plain};
-#endif
-  return kernels;
-}
-
 void run_ensemble(const ensemble_request& asked, std::size_t dimension, ensemble_receiver& to) {
   if (asked.end == asked.t0) return run_none(asked, dimension, to);
   std::vector<fixed_place> places;
   if (asked.step != 0.0) places = pendula::requested_times(asked.t0, asked.step, asked.times).outputs;
-  const auto kernels = asked.step != 0.0 ? all_fixed_lanes() : all_adaptive_lanes();
   const bool lanes_find_events = asked.events.empty() || asked.method == "taylor";
-  if (kernels.empty() || !lanes_find_events) return run_one_by_one(asked, places, dimension, to);
-  const bool widest_has_it = asked.step != 0.0 || asked.method == "taylor";
-  (widest_has_it ? kernels.back() : kernels.front())->run(asked, places, to);
+  if (!lanes_find_events) return run_one_by_one(asked, places, dimension, to);
+  const auto kernels = built_for_here(asked.step != 0.0 ? fixed_lanes : adaptive_lanes, first_with_lanes);
+  for (auto widest = kernels.rbegin(); widest != kernels.rend(); ++widest)
+    if ((*widest)->run(asked, places, to)) return;
+  run_one_by_one(asked, places, dimension, to);
 }
 
 }  // namespace pendula_kernels

@@ -1,29 +1,17 @@
-#include <array>
-
+// Which of the builds of the closed form this processor can run.
 #include "pendula/drive/exact_kernels.hpp"
+#include "pendula/drive/machine.hpp"
 
 namespace pendula_kernels {
 
-extern const exact exact_plain;
 #ifdef PENDULA_X86_KERNELS
-extern const exact exact_avx2, exact_avx512;
+extern const exact exact_plain, exact_avx2, exact_avx512;
+static const exact* const kernels[] = {&exact_plain, &exact_avx2, &exact_avx512};
+#else
+extern const exact exact_plain;
+static const exact* const kernels[] = {&exact_plain};
 #endif
 
-std::span<const exact* const> all_exact() {
-  static const auto found = [] {
-    struct {
-      std::array<const exact*, 3> kernels{&exact_plain};
-      std::size_t count = 1;
-    } some;
-#ifdef PENDULA_X86_KERNELS
-    if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) some.kernels[some.count++] = &exact_avx2;
-    if (some.count == 2 && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
-        __builtin_cpu_supports("avx512vl"))
-      some.kernels[some.count++] = &exact_avx512;
-#endif
-    return some;
-  }();
-  return {found.kernels.data(), found.count};
-}
+std::span<const exact* const> all_exact() { return built_for_here(kernels); }
 
 }  // namespace pendula_kernels

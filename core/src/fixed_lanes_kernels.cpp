@@ -57,14 +57,16 @@ void run_group(const group& some, const ensemble_request& asked, std::span<const
   }
 }
 
-void run(const ensemble_request& asked, std::span<const fixed_output> places, ensemble_receiver& to) {
+bool run(const ensemble_request& asked, std::span<const fixed_output> places, ensemble_receiver& to) {
+  bool built = false;
   with<systems>(asked.system, [&]<class Entry>() {
-    with<fixed_methods>(asked.method, [&]<class Method>() {
+    built = with<fixed_methods>(asked.method, [&]<class Method>() {
       if constexpr (takes<Method, Entry>)
         for (group some(to); some.count > 0 && to.go_on(); some = group(to))
           run_group<Method, Entry>(some, asked, places, to);
     });
   });
+  return built;
 }
 
 }  // namespace

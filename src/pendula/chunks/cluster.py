@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import logging
 import re
+import time
 import uuid
 from typing import TYPE_CHECKING, Any
 
@@ -17,6 +19,8 @@ if TYPE_CHECKING:
 _AHEAD = 2  # tasks for each thread of the workers: one runs, one waits
 _ADDRESS = re.compile(r"((tcp|tls|ws|wss|ucx|inproc)://)?(\[[^\s\]]+\]|[^\s:/]+):\d+")
 _PATIENCE = "10s"  # for a scheduler to answer
+_MOMENT, _UNATTENDED = 0.01, 5.0  # between looks at results, and at the workers [s]
+_LOG = logging.getLogger("pendula")
 
 
 def connect(scheduler: str) -> Any:
@@ -82,7 +86,7 @@ def spread(
     try:
         submit()
         while under_way:
-            future, arrays = next(ready)
+            future, arrays = _next(ready, client)
             if isinstance(arrays, Exception):  # of a task that was cancelled
                 raise arrays
             yield under_way.pop(future), arrays
@@ -96,6 +100,18 @@ def spread(
     finally:
         if client.status == "running":
             client.cancel(list(under_way))
+
+
+def _next(ready: Any, client: Any) -> Any:
+    """The next result; it is told where no worker is there to make one, for that may take long."""
+    looked, told = time.monotonic(), False
+    while not ready.has_ready():
+        time.sleep(_MOMENT)
+        if not told and time.monotonic() - looked > _UNATTENDED:
+            looked, told = time.monotonic(), not client.nthreads()
+            if told:
+                _LOG.warning("no worker is at %s; waiting for one", client.scheduler.address)
+    return next(ready)
 
 
 def _computed(compute: Compute, chunk: Chunk, threads: int, version: str) -> Arrays:
@@ -113,7 +129,7 @@ def _reason(error: Exception) -> str:
     if killed is not None:
         name = str(getattr(error, "task", "")).partition("-")[2].partition("-")[2]
         return (
-            f"chunk ({name.replace('-', ', ')}) ended {killed + 1} workers, one after the other; "
+            f"{killed + 1} workers ended with chunk ({name.replace('-', ', ')}) or one beside it; "
             "see their logs, or take smaller chunks or workers with more memory"
         )
     reason = getattr(error, "reason", type(error).__name__)

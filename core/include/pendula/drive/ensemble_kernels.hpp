@@ -38,17 +38,12 @@ struct ensemble_receiver {
 
 inline constexpr std::size_t no_more = static_cast<std::size_t>(-1);
 
-// Runs trajectories through lanes until the receiver has no more of them. `places` are those of the times on the grid
-// of a method of fixed step.
+// Runs trajectories through lanes until the receiver has no more of them; false, and runs none, where it is not built
+// for the method. `places` are those of the times on the grid of a method of fixed step.
 struct lanes_kernel {
   const char* machine;
-  void (*run)(const ensemble_request&, std::span<const fixed_place> places, ensemble_receiver&);
+  bool (*run)(const ensemble_request&, std::span<const fixed_place> places, ensemble_receiver&);
 };
-
-// Those that this processor can run, the best one last, perhaps none: for the adaptive methods, whose events are the
-// Taylor method's alone, and for those of fixed step.
-std::span<const lanes_kernel* const> all_adaptive_lanes();
-std::span<const lanes_kernel* const> all_fixed_lanes();
 
 // Runs trajectories of any method until the receiver has no more of them: through lanes, or one by one
 // where the lanes do not find its events. `dimension` is that of a state.
