@@ -1,6 +1,9 @@
 """The same work by pendula.solve, numba, numpy and SciPy; all reach the same state."""
 
 import importlib.util
+import os
+import subprocess
+import sys
 import time
 from collections.abc import Callable
 from typing import Any
@@ -10,6 +13,7 @@ import numpy as np
 from scipy.integrate import solve_ivp
 
 import pendula
+from pendula._engine import machines
 
 A, B, C, D, E = 4.0 / 3.0, 1.0 / 3.0, 0.5, 1.5 * 9.81, 0.5 * 9.81
 START, STEP = (2.0, 2.5, 0.0, 0.0), 1e-4
@@ -87,18 +91,9 @@ def all_figures() -> dict[str, float]:
         assert np.abs(state - AT_ONE).max() < 1e-9  # the same work, done right
     many = np.repeat(np.array(START)[:, np.newaxis], TRAJECTORIES, axis=1)
     assert np.abs(numpy_rk4(many[:, :1], STEP, 10_000)[:, 0] - AT_ONE).max() < 1e-9
-    starts = np.ascontiguousarray(many.T)
-
-    def together(count: int) -> Any:
-        done = pendula.ensemble(system, starts, [count * STEP], "rk4", step=STEP, threads=1)
-        return done.states[:, -1]
-
-    assert np.abs(together(10_000)[-1] - AT_ONE).max() < 1e-9
     figures = {
         "pendula.solve": best(lambda: solved(steps), 9) / steps * 1e9,
-        f"pendula.ensemble, {TRAJECTORIES}, one thread": best(lambda: together(1000), 5)
-        / (1000 * TRAJECTORIES)
-        * 1e9,
+        **{f"pendula.ensemble, {name}": on_machine(name) * 1e9 for name in machines()[1:]},
         "numba, fastmath, locals": best(lambda: numba_rk4(np.array(START), STEP, steps), 9)
         / steps
         * 1e9,
@@ -110,6 +105,25 @@ def all_figures() -> dict[str, float]:
     if importlib.util.find_spec("jax"):
         figures[f"JAX, vmap of {TRAJECTORIES}"] = by_jax(many) * 1e9
     return figures
+
+
+def by_ensemble() -> float:
+    """RK4 of many states by pendula.ensemble, one thread: seconds a step and trajectory."""
+    system, starts = pendula.DoublePendulum.rods(gravity=9.81), np.tile(START, (TRAJECTORIES, 1))
+
+    def ends(count: int) -> Any:
+        done = pendula.ensemble(system, starts, [count * STEP], "rk4", step=STEP, threads=1)
+        return done.states[:, -1]
+
+    assert np.abs(ends(10_000)[-1] - AT_ONE).max() < 1e-9
+    return best(lambda: ends(1000), 5) / (1000 * TRAJECTORIES)
+
+
+def on_machine(name: str) -> float:
+    """The same in a process of its own, by the loops that are built for a machine."""
+    command, environment = [sys.executable, "-m", __name__], os.environ | {"PENDULA_MACHINE": name}
+    told = subprocess.run(command, env=environment, check=True, capture_output=True, text=True)
+    return float(told.stdout)
 
 
 def by_scipy() -> float:
@@ -148,3 +162,7 @@ def by_jax(states: Any) -> float:
     ended = np.asarray(run(given))  # compiles
     assert np.abs(ended[0] - numpy_rk4(states[:, :1], STEP, steps)[:, 0]).max() < 1e-9
     return float(best(lambda: run(given).block_until_ready(), 5) / (steps * states.shape[1]))
+
+
+if __name__ == "__main__":
+    print(by_ensemble())
