@@ -74,3 +74,7 @@ def files(store: Path) -> dict[str, bytes]:
 
 def mirrored(work: Work) -> Work:
     return replace(work, mirrored=True)
+
+
+def chunks_in(log: Path) -> int:
+    return len(log.read_text(encoding="utf-8").splitlines()) if log.exists() else 0

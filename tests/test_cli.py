@@ -15,29 +15,14 @@ import pytest
 import pendula
 from pendula import _engine
 from pendula._times import spaced
-from pendula.cli import app, main
+from pendula.cli import app
 from pendula.cli.plots import curve
 from pendula.cli.solve import _times
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    Call = Callable[..., tuple[int, str, str]]
-
-
-@pytest.fixture
-def call(
-    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, tmp_path: Path
-) -> Call:
-    """Run the command in an empty folder: exit code, stdout, stderr."""
-    monkeypatch.chdir(tmp_path)
-
-    def run(line: str) -> tuple[int, str, str]:
-        code = main(line.split())
-        printed = capsys.readouterr()
-        return code, printed.out, printed.err
-
-    return run
+    from commands import Call
 
 
 def options_of(*path: str) -> dict[str, click.Parameter]:

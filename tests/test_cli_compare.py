@@ -6,40 +6,19 @@ import csv
 import json
 import math
 import re
-import signal
-import subprocess
-import sys
-import time
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 import pytest
 
+from commands import interrupted
 from pendula import SimplePendulum, exact, methods, solve
-from pendula.cli import main
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
-    Call = Callable[..., tuple[int, str, str]]
+    from commands import Call
 
 QUICK = "compare simple --length 50cm --theta 150deg --until 2s --points 4"
 DOUBLE = "compare double --theta1 120deg --theta2 -10deg --until 1s --points 3"
-
-
-@pytest.fixture
-def call(
-    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, tmp_path: Path
-) -> Call:
-    """Run the command in an empty folder: exit code, stdout, stderr."""
-    monkeypatch.chdir(tmp_path)
-
-    def run(line: str) -> tuple[int, str, str]:
-        code = main(line.split())
-        printed = capsys.readouterr()
-        return code, printed.out, printed.err
-
-    return run
 
 
 def test_a_row_for_each_method_that_takes_the_system(call: Call) -> None:
@@ -163,24 +142,7 @@ def test_a_disk_that_is_full_leaves_nothing(call: Call, monkeypatch: pytest.Monk
 
 @pytest.mark.parametrize("line", ["compare double --until 2000s", "compare simple --until 90000s"])
 def test_ctrl_c_ends_it_without_a_file(line: str, tmp_path: Path) -> None:
-    code = (
-        "import sys; from pendula.cli import main\n"
-        "print('ready', flush=True); sys.exit(main(sys.argv[1:]))"
-    )
-    arguments = [*line.split(), "-o", "x.csv", "--points", "100"]
-    with subprocess.Popen(
-        [sys.executable, "-c", code, *arguments],
-        cwd=tmp_path,
-        stdout=subprocess.PIPE,
-        stderr=subprocess.PIPE,
-        text=True,
-    ) as process:
-        assert process.stdout is not None
-        assert process.stdout.readline() == "ready\n"
-        time.sleep(1.5)
-        process.send_signal(signal.SIGINT)
-        printed, told = process.communicate(timeout=20)
-    assert process.returncode == 130
-    assert printed == ""
+    code, printed, told = interrupted(tmp_path, f"{line} -o x.csv --points 100", when=1.5)
+    assert (code, printed) == (130, "")
     assert told.splitlines()[-1] == "pendula: interrupted"
     assert list(tmp_path.iterdir()) == []

@@ -5,42 +5,21 @@ from __future__ import annotations
 import json
 import math
 import re
-import signal
-import subprocess
-import sys
-import time
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 import pytest
 import xarray as xr
 
+from commands import interrupted
 from pendula import DoublePendulum, chunks, divergence_map, flip_map
-from pendula.cli import main
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
-    Call = Callable[..., tuple[int, str, str]]
+    from commands import Call
 
 RODS = DoublePendulum.rods()
 PI = math.pi
 FLIP = "map flip double --size 10x12 --until 5s"
-
-
-@pytest.fixture
-def call(
-    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, tmp_path: Path
-) -> Call:
-    """Run the command in an empty folder: exit code, stdout, stderr."""
-    monkeypatch.chdir(tmp_path)
-
-    def run(line: str) -> tuple[int, str, str]:
-        code = main(line.split())
-        printed = capsys.readouterr()
-        return code, printed.out, printed.err
-
-    return run
 
 
 # ---- the same as in Python ----
@@ -227,20 +206,12 @@ def test_too_little_memory_is_one_line(call: Call, monkeypatch: pytest.MonkeyPat
 # ---- Ctrl-C ----
 
 
-def wait_for_some_chunks(store: Path) -> None:
-    """Of a map that takes minutes."""
-    for _ in range(600):
-        time.sleep(0.1)
-        if len(list(store.glob("resolved/c.*"))) > 3:
-            return
-
-
 MAP_THAT_TELLS = """
 import sys
 from pendula.cli import main
 from pendula.maps import cells, flip
 cells.LARGEST_CHUNK = 50
-compute, first = flip.FlipMap.__call__, iter(["computing"])
+compute, first = flip.FlipMap.__call__, iter(["ready"])
 def told(*given):
     print(*(word + chr(10) for word in first), end="", flush=True)
     return compute(*given)
@@ -252,20 +223,10 @@ sys.exit(main(sys.argv[1:]))
 @pytest.mark.parametrize("output", ["-o flips.zarr", "-o flips.nc", "--picture flips.png"])
 def test_ctrl_c_tells_how_to_go_on(output: str, tmp_path: Path) -> None:
     line = f"map flip double --size 4000 --until 100s --threads 1 {output}"
-    with subprocess.Popen(
-        [sys.executable, "-c", MAP_THAT_TELLS, *line.split()],
-        cwd=tmp_path,
-        stdout=subprocess.PIPE,
-        stderr=subprocess.PIPE,
-        text=True,
-    ) as process:
-        assert process.stdout is not None
-        assert process.stdout.readline() == "computing\n"
-        if "zarr" in output:
-            wait_for_some_chunks(tmp_path / "flips.zarr")
-        process.send_signal(signal.SIGINT)
-        printed, told = process.communicate(timeout=20)  # the map would take minutes
-    assert (process.returncode, printed) == (130, "")
+    first = tmp_path / "flips.zarr" / "resolved"
+    when = (lambda: len(list(first.glob("c.*"))) > 3) if "zarr" in output else 0.0
+    code, printed, told = interrupted(tmp_path, line, when, MAP_THAT_TELLS)
+    assert (code, printed) == (130, "")
     last = told.splitlines()[-1]
     if output != "-o flips.zarr":
         words = "nothing is written; a .zarr store could be gone on with"

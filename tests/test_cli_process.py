@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import os
-import signal
 import subprocess
 import sys
-import time
 from pathlib import Path
 
 import pytest
+
+from commands import interrupted
 
 COMMAND = (sys.executable, "-m", "pendula")
 HEAVY = ("numpy", "matplotlib", "rich", "pint", "xarray", "pandas")
@@ -57,24 +57,9 @@ def test_methods_and_errors_load_no_numpy() -> None:
     ],
 )
 def test_ctrl_c_ends_a_long_run_without_a_file(line: str, tmp_path: Path) -> None:
-    code = (
-        "import sys; from pendula.cli import main\n"
-        "print('ready', flush=True); sys.exit(main(sys.argv[1:]))"
-    )
-    with subprocess.Popen(
-        [sys.executable, "-c", code, *line.split()],
-        cwd=tmp_path,
-        stdout=subprocess.PIPE,
-        stderr=subprocess.PIPE,
-        text=True,
-    ) as process:
-        assert process.stdout is not None
-        assert process.stdout.readline() == "ready\n"
-        time.sleep(0.7)  # by now it is in the loop, which would take a minute or an hour
-        process.send_signal(signal.SIGINT)
-        printed, told = process.communicate(timeout=20)
-    assert process.returncode == 130
-    assert (printed, told) == ("", "pendula: interrupted\n")
+    # by then it is in the loop, which would take a minute or an hour
+    ended = interrupted(tmp_path, line, when=0.7)
+    assert ended == (130, "", "pendula: interrupted\n")
     assert list(tmp_path.iterdir()) == []
 
 

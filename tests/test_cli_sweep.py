@@ -3,10 +3,7 @@
 from __future__ import annotations
 
 import shutil
-import signal
-import subprocess
 import sys
-import time
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -15,16 +12,14 @@ import pytest
 import xarray as xr
 
 from chunked import files
+from commands import interrupted
 from pendula import sweep
 from pendula.chunks import opened
-from pendula.cli import main
 from pendula.cli.progress import work_bar
 from pendula.sweeping.rows import MISSING
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
-    Call = Callable[..., tuple[int, str, str]]
+    from commands import Call
 
 RECIPE = """
 [system]
@@ -41,19 +36,10 @@ chunk = 10
 
 
 @pytest.fixture
-def call(
-    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, tmp_path: Path
-) -> Call:
-    """Run the command in a folder with a recipe: exit code, stdout, stderr."""
-    monkeypatch.chdir(tmp_path)
+def call(call: Call) -> Call:
+    """The command in a folder with a recipe."""
     Path("rods.toml").write_text(RECIPE, encoding="utf-8")
-
-    def run(line: str) -> tuple[int, str, str]:
-        code = main(line.split())
-        printed = capsys.readouterr()
-        return code, printed.out, printed.err
-
-    return run
+    return call
 
 
 def folder() -> list[str]:
@@ -245,24 +231,6 @@ def test_a_slow_rate_keeps_its_digits(
 
 LONG = RECIPE.replace("draws = 30\nchunk = 10", "draws = 20000\nchunk = 500")
 LONG = LONG.replace('until = "2 s"', 'until = "20 s"')
-
-
-def interrupted(folder: Path, line: str, when: Callable[[], bool]) -> tuple[int, str, str]:
-    """Run the command in a process of its own and press Ctrl-C at some moment."""
-    code = "import sys; from pendula.cli import main; sys.exit(main(sys.argv[1:]))"
-    with subprocess.Popen(
-        [sys.executable, "-c", code, *line.split()],
-        cwd=folder,
-        stdout=subprocess.PIPE,
-        stderr=subprocess.PIPE,
-        text=True,
-    ) as process:
-        end = time.monotonic() + 30.0
-        while not when() and time.monotonic() < end and process.poll() is None:
-            time.sleep(0.01)
-        process.send_signal(signal.SIGINT)
-        printed, told = process.communicate(timeout=20)
-    return process.returncode, printed, told
 
 
 def test_ctrl_c_tells_how_to_go_on_and_it_ends_in_the_same_bytes(

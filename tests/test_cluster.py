@@ -6,8 +6,6 @@ import os
 import signal
 import threading
 import time
-from collections.abc import Iterator
-from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -16,27 +14,10 @@ import pytest
 import xarray as xr
 
 from chunked import Waves, files, mirrored, waves
+from clusters import workers
 from pendula.chunks import Chunk, Work, computed, connect, opened, run
 
 distributed = pytest.importorskip("distributed")
-
-
-@contextmanager
-def workers() -> Iterator[Any]:
-    """A client of two worker processes."""
-    with (
-        distributed.LocalCluster(
-            n_workers=2, threads_per_worker=1, processes=True, dashboard_address=":0"
-        ) as cluster,
-        distributed.Client(cluster, set_as_default=False) as client,
-    ):
-        yield client
-
-
-@pytest.fixture(scope="module")
-def client() -> Iterator[Any]:
-    with workers() as client:
-        yield client
 
 
 def test_no_worker_is_told(

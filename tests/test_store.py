@@ -11,24 +11,8 @@ import pytest
 import xarray as xr
 import zarr
 
-from chunked import PAIR, Waves, files, waves
+from chunked import PAIR, Waves, chunks_in, files, waves
 from pendula.chunks import opened, run
-
-
-@pytest.fixture(scope="module")
-def undisturbed(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    store = tmp_path_factory.mktemp("undisturbed") / "waves.zarr"
-    run(waves(), store)
-    return store
-
-
-@pytest.fixture
-def counted(tmp_path: Path) -> Path:
-    return tmp_path / "log"
-
-
-def chunks_in(log: Path) -> int:
-    return len(log.read_text(encoding="utf-8").splitlines()) if log.exists() else 0
 
 
 def test_a_result_is_the_same_in_memory_and_in_a_store(undisturbed: Path) -> None:

@@ -13,26 +13,10 @@ from typing import Any
 import pytest
 import zarr
 
-from chunked import files, waves
+from chunked import chunks_in, files, waves
 from pendula.chunks import opened, run
 from pendula.chunks.places import Folder
 from pendula.chunks.store import first_difference
-
-
-@pytest.fixture(scope="module")
-def undisturbed(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    store = tmp_path_factory.mktemp("undisturbed") / "waves.zarr"
-    run(waves(), store)
-    return store
-
-
-@pytest.fixture
-def counted(tmp_path: Path) -> Path:
-    return tmp_path / "log"
-
-
-def chunks_in(log: Path) -> int:
-    return len(log.read_text(encoding="utf-8").splitlines()) if log.exists() else 0
 
 
 @pytest.mark.parametrize(

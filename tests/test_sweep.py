@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -60,16 +59,6 @@ every = "0.5 s"
 certify = 1e-9
 draws = 3
 """
-
-
-@pytest.fixture(scope="module")
-def rods(tmp_path_factory: pytest.TempPathFactory) -> SweepRecipe:
-    return recipe(tmp_path_factory.mktemp("rods"), RODS)
-
-
-@pytest.fixture(scope="module")
-def in_memory(rods: SweepRecipe) -> xr.Dataset:
-    return sweep(rods)
 
 
 def states_of(dataset: xr.Dataset, names: tuple[str, ...], row: int) -> Any:
@@ -216,18 +205,6 @@ def test_a_store_that_is_there_is_kept(rods: SweepRecipe, tmp_path: Path) -> Non
 
 
 # ---- on a cluster ----
-
-
-@pytest.fixture(scope="module")
-def client() -> Iterator[Any]:
-    distributed = pytest.importorskip("distributed")
-    with (
-        distributed.LocalCluster(
-            n_workers=2, threads_per_worker=1, processes=True, dashboard_address=":0"
-        ) as cluster,
-        distributed.Client(cluster, set_as_default=False) as client,
-    ):
-        yield client
 
 
 def test_a_cluster_gives_the_same_bytes(

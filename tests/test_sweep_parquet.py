@@ -14,17 +14,6 @@ import xarray as xr
 from pendula import sweep
 from pendula.chunks import Work, computed
 from pendula.sweeping import SweepRecipe
-from swept import RODS, recipe
-
-
-@pytest.fixture(scope="module")
-def rods(tmp_path_factory: pytest.TempPathFactory) -> SweepRecipe:
-    return recipe(tmp_path_factory.mktemp("rods"), RODS)
-
-
-@pytest.fixture(scope="module")
-def in_memory(rods: SweepRecipe) -> xr.Dataset:
-    return sweep(rods)
 
 
 def test_a_parquet_file_has_a_row_for_each_trajectory(

@@ -10,6 +10,7 @@ import click
 from pendula import _engine
 from pendula.cli.groups import all_systems, one_each
 from pendula.cli.options import start_of, start_options, system_of, system_options, value
+from pendula.cli.pictures import checked_picture, file_and_picture, write_picture
 from pendula.cli.progress import progress_bar
 from pendula.cli.run import seconds, span_of, start_time
 
@@ -22,7 +23,6 @@ if TYPE_CHECKING:
 _TARGETS = (1e-6, 1e-9, 1e-12)  # errors of the table [rad]
 _NEVER = "not reached"
 _POINTS = 12
-_PICTURES = (".png", ".svg", ".pdf")
 
 
 def _options(entry: SystemEntry) -> list[click.Parameter]:
@@ -45,30 +45,8 @@ def _options(entry: SystemEntry) -> list[click.Parameter]:
             metavar="N",
             help="runs of each method, 2 to 100",
         ),
-        *_file_options(),
-    ]
-
-
-def _file_options() -> list[click.Parameter]:
-    return [
-        click.Option(
-            ["out", "-o", "--output"],
-            type=click.Path(),
-            metavar="FILE",
-            help="write every run to a .csv or .json file",
-        ),
-        click.Option(
-            ["--picture"],
-            type=click.Path(),
-            metavar="FILE",
-            help="draw error against evaluations and time: .png, .svg or .pdf",
-        ),
-        click.Option(
-            ["--lang"],
-            type=click.Choice(["en", "es"]),
-            default="en",
-            show_default=True,
-            help="language of the picture",
+        *file_and_picture(
+            "every run to a .csv or .json file", "error against evaluations and time"
         ),
         click.Option(["--force"], is_flag=True, help="replace the files if they exist"),
     ]
@@ -100,20 +78,12 @@ def _targets(given: dict[str, Any]) -> tuple[Path | None, Path | None]:
     """The files to write; says before long work what would go wrong at its end."""
     from pathlib import Path
 
-    from pendula._checks import extra
     from pendula.io.rows import check_rows_target
-    from pendula.io.writing import refuse_existing
 
-    out, picture = (None if given[n] is None else Path(given[n]) for n in ("out", "picture"))
+    out = None if given["out"] is None else Path(given["out"])
     if out is not None:
         check_rows_target(out, overwrite=given["force"])
-    if picture is not None:
-        if picture.suffix.lower() not in _PICTURES:
-            endings = ", ".join(_PICTURES)
-            raise ValueError(f"--picture must end in one of {endings}, got {picture.name!r}")
-        extra("matplotlib", "report")
-        refuse_existing(picture, overwrite=given["force"])
-    return out, picture
+    return out, checked_picture(given)
 
 
 def _write(
@@ -121,16 +91,11 @@ def _write(
 ) -> None:
     """Draw first, so that a picture that fails leaves no data behind."""
     from pendula.io.rows import write_rows
-    from pendula.io.writing import replacing
 
     if picture is not None:
         from pendula import plot
 
-        drawn = plot.picture(
-            plot.work_precision([found], language=given["lang"]), picture.suffix[1:].lower()
-        )
-        with replacing(picture, overwrite=given["force"]) as unfinished:
-            unfinished.write_bytes(drawn)
+        write_picture(plot.work_precision([found], language=given["lang"]), picture, given)
     if out is not None:
         write_rows(found.to_dict(), found.attributes(), out, overwrite=given["force"])
 

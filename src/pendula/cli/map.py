@@ -14,6 +14,7 @@ from pendula import _engine
 from pendula.cli.groups import ChoiceGroup, one_each
 from pendula.cli.map_output import check_targets, summary, write
 from pendula.cli.options import system_of, system_options, value
+from pendula.cli.pictures import file_and_picture
 from pendula.cli.progress import work_bar
 from pendula.cli.run import seconds
 from pendula.cli.stores import check_store_options, cluster, store_options, telling_how_to_resume
@@ -77,28 +78,8 @@ def _divergence_options(entry: SystemEntry) -> list[click.Parameter]:
 
 
 def _output_options() -> list[click.Parameter]:
-    return [
-        click.Option(
-            ["out", "-o", "--output"],
-            type=click.Path(),
-            metavar="FILE",
-            help="write a .zarr store, which can be gone on with, or a .nc file",
-        ),
-        click.Option(
-            ["--picture"],
-            type=click.Path(),
-            metavar="FILE",
-            help="draw the map: .png, .svg or .pdf",
-        ),
-        click.Option(
-            ["--lang"],
-            type=click.Choice(["en", "es"]),
-            default="en",
-            show_default=True,
-            help="language of the picture",
-        ),
-        *store_options(),
-    ]
+    file = "a .zarr store, which can be gone on with, or a .nc file"
+    return [*file_and_picture(file, "the map"), *store_options()]
 
 
 def _map(kind: str, entry: SystemEntry, **given: Any) -> None:

@@ -1,4 +1,4 @@
-"""What `pendula map` leaves: a file, a picture, a summary; and what a stopped one has done."""
+"""What `pendula map` leaves: a file, a picture, a summary."""
 
 from __future__ import annotations
 
@@ -8,16 +8,17 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from pendula.cli.pictures import checked_picture, write_picture
+
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
     import xarray as xr
 
-PICTURES = (".png", ".svg", ".pdf")
 _BAND = 256  # rows read at once, where a store does not tell how many
 
 
-def check_targets(given: dict[str, Any]) -> tuple[str | None, str | None]:
+def check_targets(given: dict[str, Any]) -> tuple[str | None, Path | None]:
     """The file and the picture; says before long work what would go wrong at its end.
 
     Raises:
@@ -27,7 +28,7 @@ def check_targets(given: dict[str, Any]) -> tuple[str | None, str | None]:
     from pendula._checks import extra
     from pendula.io.writing import refuse_existing
 
-    out, picture = given["out"], given["picture"]
+    out = given["out"]
     extra("xarray", "io")
     ending = None if out is None else Path(out).suffix
     if ending not in (None, ".zarr", ".nc"):
@@ -37,27 +38,11 @@ def check_targets(given: dict[str, Any]) -> tuple[str | None, str | None]:
     if ending == ".nc":
         extra("h5netcdf", "io")
         refuse_existing(Path(out), overwrite=given["force"])
-    if picture is not None:
-        if Path(picture).suffix.lower() not in PICTURES:
-            raise ValueError(f"--picture must end in one of {', '.join(PICTURES)}, got {picture!r}")
-        extra("matplotlib", "report")
-        _refuse_picture(Path(picture), given)
-    return out, picture
-
-
-def _refuse_picture(picture: Path, given: dict[str, Any]) -> None:
-    from pendula.io.writing import refuse_existing
-
-    try:
-        refuse_existing(picture, overwrite=given["force"])
-    except FileExistsError:
-        if given["resume"]:  # --force would begin the store anew
-            raise FileExistsError(f"{picture} exists; remove it, or name another") from None
-        raise
+    return out, checked_picture(given)
 
 
 def write(
-    kind: str, found: xr.Dataset, out: str | None, picture: str | None, given: dict[str, Any]
+    kind: str, found: xr.Dataset, out: str | None, picture: Path | None, given: dict[str, Any]
 ) -> None:
     """Draw first, so that a picture that fails leaves no file behind; a store is there already."""
     from pendula.io.writing import replacing
@@ -65,10 +50,8 @@ def write(
     if picture is not None:
         from pendula import plot
 
-        path, draw = Path(picture), {"flip": plot.flip_map, "divergence": plot.divergence_map}[kind]
-        drawn = plot.picture(draw(found, language=given["lang"]), path.suffix[1:].lower())
-        with replacing(path, overwrite=given["force"]) as unfinished:
-            unfinished.write_bytes(drawn)
+        draw = {"flip": plot.flip_map, "divergence": plot.divergence_map}[kind]
+        write_picture(draw(found, language=given["lang"]), picture, given)
     if out is not None:
         with replacing(Path(out), overwrite=given["force"]) as unfinished:
             found.to_netcdf(unfinished, engine="h5netcdf")

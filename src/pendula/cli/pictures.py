@@ -1,0 +1,72 @@
+"""What commands share that draw a picture beside a file of numbers."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+_ENDINGS = (".png", ".svg", ".pdf")
+
+
+def file_and_picture(file: str, picture: str) -> list[click.Parameter]:
+    """The options -o, --picture and --lang; what is written there ends their help."""
+    return [
+        click.Option(
+            ["out", "-o", "--output"], type=click.Path(), metavar="FILE", help=f"write {file}"
+        ),
+        click.Option(
+            ["--picture"],
+            type=click.Path(),
+            metavar="FILE",
+            help=f"draw {picture}: .png, .svg or .pdf",
+        ),
+        click.Option(
+            ["--lang"],
+            type=click.Choice(["en", "es"]),
+            default="en",
+            show_default=True,
+            help="language of the picture",
+        ),
+    ]
+
+
+def checked_picture(given: dict[str, Any]) -> Path | None:
+    """The picture to draw; says before long work what would go wrong at its end.
+
+    Raises:
+        ValueError: for an unknown ending.
+        OSError: where it cannot be written, or exists without --force.
+    """
+    from pendula._checks import extra
+    from pendula.io.writing import refuse_existing
+
+    if given["picture"] is None:
+        return None
+    picture = Path(given["picture"])
+    if picture.suffix.lower() not in _ENDINGS:
+        raise ValueError(
+            f"--picture must end in one of {', '.join(_ENDINGS)}, got {str(picture)!r}"
+        )
+    extra("matplotlib", "report")
+    try:
+        refuse_existing(picture, overwrite=given["force"])
+    except FileExistsError:
+        if given.get("resume"):  # --force would begin the store anew
+            raise FileExistsError(f"{picture} exists; remove it, or name another") from None
+        raise
+    return picture
+
+
+def write_picture(figure: Figure, picture: Path, given: dict[str, Any]) -> None:
+    """All of a picture, or nothing."""
+    from pendula import plot
+    from pendula.io.writing import replacing
+
+    drawn = plot.picture(figure, picture.suffix[1:].lower())
+    with replacing(picture, overwrite=given["force"]) as unfinished:
+        unfinished.write_bytes(drawn)
