@@ -124,7 +124,5 @@ adaptive_outcome revisit(const adaptive_request& asked, const step_memory& from,
 }  // namespace
 
 namespace pendula_kernels {
-#define PENDULA_TEXT(name) #name
-#define PENDULA_NAME(name) PENDULA_TEXT(name)
-extern const adaptive PENDULA_KERNELS{PENDULA_NAME(PENDULA_KERNELS), solve, revisit};
+extern const adaptive PENDULA_KERNELS{solve, revisit};
 }  // namespace pendula_kernels

@@ -86,7 +86,5 @@ bool run(const ensemble_request& asked, std::span<const pendula_kernels::fixed_p
 }  // namespace
 
 namespace pendula_kernels {
-#define PENDULA_TEXT(name) #name
-#define PENDULA_NAME(name) PENDULA_TEXT(name)
-extern const lanes_kernel PENDULA_KERNELS{PENDULA_NAME(PENDULA_KERNELS), run};
+extern const lanes_kernel PENDULA_KERNELS{run};
 }  // namespace pendula_kernels

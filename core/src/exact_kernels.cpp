@@ -76,7 +76,5 @@ void linear(const double frequency[2], const double rate[3], const double* state
 }  // namespace
 
 namespace pendula_kernels {
-#define PENDULA_TEXT(name) #name
-#define PENDULA_NAME(name) PENDULA_TEXT(name)
-extern const exact PENDULA_KERNELS{PENDULA_NAME(PENDULA_KERNELS), states, times, linear};
+extern const exact PENDULA_KERNELS{states, times, linear};
 }  // namespace pendula_kernels

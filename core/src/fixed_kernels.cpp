@@ -46,5 +46,5 @@ void each_step(const fixed_request& asked, fixed_place last, fixed_receiver& to)
 }  // namespace
 
 namespace pendula_kernels {
-extern const fixed PENDULA_KERNELS{"plain", run, each_step};
+extern const fixed PENDULA_KERNELS{run, each_step};
 }  // namespace pendula_kernels

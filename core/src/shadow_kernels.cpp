@@ -59,7 +59,5 @@ std::unique_ptr<shadow> make(const shadow_request& asked) {
 }  // namespace
 
 namespace pendula_kernels {
-#define PENDULA_TEXT(name) #name
-#define PENDULA_NAME(name) PENDULA_TEXT(name)
-extern const shadow_maker PENDULA_KERNELS{PENDULA_NAME(PENDULA_KERNELS), make};
+extern const shadow_maker PENDULA_KERNELS{make};
 }  // namespace pendula_kernels

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "pendula/drive/exact.hpp"
+#include "pendula/drive/machine.hpp"
 #include "pendula/exact/simple_times.hpp"
 #include "random.hpp"
 
@@ -41,16 +42,18 @@ BOOST_AUTO_TEST_CASE(every_machine_and_every_number_of_points_gives_the_same_bit
     BOOST_TEST((pendula::exact_simple(*all[0], asked, first.data(), always) == exact_outcome::complete));
     std::vector<double> linear(first.size());
     pendula::exact_linear(*all[0], asked, linear.data(), always);
-    for (const auto* kernels : all) {
+    for (std::size_t machine = 0; machine < all.size(); ++machine) {
+      const auto* const kernels = all[machine];
+      const auto name = pendula_kernels::machine_names[machine];
       pendula::exact_linear(*kernels, asked, out.data(), always);
-      BOOST_TEST(same(out, linear), kernels->machine << " linear " << count);
+      BOOST_TEST(same(out, linear), name << " linear " << count);
       pendula::exact_simple(*kernels, asked, out.data(), always);
-      BOOST_TEST(same(out, first), kernels->machine << " " << count);
+      BOOST_TEST(same(out, first), name << " " << count);
       for (std::size_t i = 0; i < count; ++i)
         for (std::size_t j = 0; j < times.size(); ++j)
           pendula::exact_simple(*kernels, {1.0, 9.81, &states[2 * i], 1, &times[j], 1, 0.25},
                                 &singly[2 * (i * times.size() + j)], always);
-      BOOST_TEST(same(singly, first), kernels->machine << " one by one, " << count);
+      BOOST_TEST(same(singly, first), name << " one by one, " << count);
     }
   }
 }

@@ -15,6 +15,9 @@ def systems() -> list[dict[str, Any]]:
 def methods() -> list[dict[str, Any]]:
     """The catalogue's methods."""
 
+def machines() -> list[str]:
+    """What this processor is of the machines that loops are built for."""
+
 largest_angle: float = 67108864.0
 
 class Description:
@@ -114,11 +117,6 @@ def simple_time_at(length: float, gravity: float, states: Annotated[NDArray[nump
 
 def linear_time_at(length: float, gravity: float, states: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], theta: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)]) -> NDArray[numpy.float64]:
     """The same of the linear pendulum."""
-
-def machines() -> list[str]:
-    """
-    The machines that the loops of the closed form are built for and this processor is.
-    """
 
 def elliptic_K(moduli: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], complement: bool) -> NDArray[numpy.float64]:
     """The complete integral of the first kind."""

@@ -52,7 +52,6 @@ struct adaptive_outcome {
 };
 
 struct adaptive {
-  const char* machine;
   // Outputs at the times, or, where there are none, at the start, every step and the end.
   adaptive_outcome (*solve)(const adaptive_request&, std::span<const double> times, std::span<const event_row>,
                             receiver&);

@@ -41,7 +41,6 @@ inline constexpr std::size_t no_more = static_cast<std::size_t>(-1);
 // Runs trajectories through lanes until the receiver has no more of them; false, and runs none, where it is not built
 // for the method. `places` are those of the times on the grid of a method of fixed step.
 struct lanes_kernel {
-  const char* machine;
   bool (*run)(const ensemble_request&, std::span<const fixed_place> places, ensemble_receiver&);
 };
 

@@ -9,7 +9,6 @@
 namespace pendula_kernels {
 
 struct exact {
-  const char* machine;
   // Each state (θ0, ω0), the time t − t0 after it, into `out`, pair by pair.
   void (*states)(double length, double gravity, const double* states, std::size_t count, double t, double t0,
                  double* out, unsigned char* lacking);

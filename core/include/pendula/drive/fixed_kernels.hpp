@@ -40,7 +40,6 @@ struct fixed_outcome {
 };
 
 struct fixed {
-  const char* machine;
   // States at the places, whose steps do not decrease.
   fixed_outcome (*run)(const fixed_request&, std::span<const fixed_place>, fixed_receiver&);
   // States after the steps 1, 2 … and, where the last place is off the grid, there: its number is one more.

@@ -31,7 +31,6 @@ struct shadow_request {
 };
 
 struct shadow_maker {
-  const char* machine;
   std::unique_ptr<shadow> (*make)(const shadow_request&);
 };
 
