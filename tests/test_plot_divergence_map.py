@@ -19,7 +19,9 @@ def test_a_map_of_divergence() -> None:
     figure = plot.divergence_map(xr.Dataset({"growth": growth}, attrs={"t_max": 10.0}))
     bar = figure.axes[0].child_axes[0]
     assert bar.get_ylabel() == "mean rate of divergence [1/s]"
-    assert bar.get_ylim() == pytest.approx((np.nanmin(rates), np.nanmax(rates)))
+    low, high = bar.get_ylim()
+    assert (rates[~np.isnan(rates)] < low).mean() == pytest.approx(0.01, abs=0.002)
+    assert high == pytest.approx(np.nanmax(rates))
     assert bar.get_yscale() == "linear"
     shown = figure.axes[0].get_images()[0].get_array()
     assert shown is not None
@@ -27,7 +29,7 @@ def test_a_map_of_divergence() -> None:
     unknown = np.isnan(rates)
     assert colours[unknown] == pytest.approx(np.broadcast_to(to_rgb("#f7f8f9"), (2, 3)), abs=2e-3)
     brightness = colours[~unknown].sum(axis=-1)[np.argsort(rates[~unknown])]
-    assert (np.diff(brightness[::20]) > 0).all()  # fast is light
+    assert (np.diff(brightness[6::20]) > 0).all()  # fast is light
     with pytest.raises(ValueError, match="must hold growth"):
         plot.divergence_map(growth.to_dataset(name="divergence"))
     with pytest.raises(ValueError, match='must have the attribute "t_max"'):
@@ -46,7 +48,7 @@ def test_real_maps_can_be_drawn() -> None:
     apart = divergence_map(rods, whole, whole, (30, 30), 10.0)
     bar = plot.divergence_map(apart).axes[0].child_axes[0]
     rates = np.log(apart.growth.values) / 10.0
-    assert bar.get_ylim() == pytest.approx((rates.min(), rates.max()))
+    assert bar.get_ylim() == pytest.approx((np.sort(rates, axis=None)[9], rates.max()))
     assert {len(plot.picture(plot.flip_map(data), kind)) > 9000 for kind in ("png", "svg")} == {
         True
     }

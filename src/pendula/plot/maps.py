@@ -26,6 +26,7 @@ _FORBIDDEN, _HATCH = "#f7f8f9", "#c6ccd3"
 _EDGE = "#6b737c"
 _PALE = 0.55  # of the way to white: what is not certain
 _FEW = 0.03  # of the times are so short that they are one colour, to leave more to the others
+_FEWER = 0.01  # the same of rates
 _LONGEST = 5.0  # sides of a map that is drawn with equal units
 _HEIGHT, _LOWEST, _HIGHEST = 4.6, 2.6, 6.4  # inches
 
@@ -101,7 +102,8 @@ def divergence_map(
     Args:
         dataset: what `pendula.divergence_map` returned, or its file opened again.
         ticks: of the angles: "degrees", or "pi" for parts of π.
-        limits: rates at the ends of the colour scale [1/s]; None: those there are.
+        limits: rates at the ends of the colour scale [1/s]; None: the largest, and the one that
+            1 % are lower than.
         language: "en" or "es".
 
     Returns:
@@ -120,7 +122,7 @@ def divergence_map(
     known = np.isfinite(rates)
     colours, norm = np.ones((*rates.shape, 3)), None
     if known.any():
-        low, high = limits or (float(rates[known].min()), float(rates[known].max()))
+        low, high = limits or (_above(rates[known], _FEWER), float(rates[known].max()))
         norm = Normalize(low, high if high > low else low + 1.0)
         colours[known] = _palette()(norm(rates[known]))[:, :3]
     colours[~known] = _rgb(_FORBIDDEN)
@@ -144,13 +146,17 @@ def _logarithmic(
     colours = np.ones((*times.shape, 3))
     if not flipped.any():
         return colours, None
-    found = np.sort(times[flipped])
-    low, high = limits or (float(found[int(_FEW * found.size)]), float(found[-1]))
+    low, high = limits or (_above(times[flipped], _FEW), float(times[flipped].max()))
     if not 0 < low <= high:
         raise ValueError(f"limits must be two times, 0 < low <= high, got {low:g} and {high:g}")
     norm = LogNorm(low, high if high > low else 1.01 * low)
     colours[flipped] = _palette()(norm(times[flipped]))[:, :3]
     return colours, norm
+
+
+def _above(values: NDArray[np.float64], few: float) -> float:
+    """The value that so small a part of them are below."""
+    return float(np.sort(values)[int(few * values.size)])
 
 
 def _palette() -> Any:
