@@ -166,6 +166,7 @@ def test_a_picture_in_the_way_of_going_on(call: Call) -> None:
         (f"{FLIP} -o flips.csv", "--output must end in .zarr or .nc, got 'flips.csv'"),
         (f"{FLIP} -o no/flips.zarr", "is not a folder; make it first"),
         (f"{FLIP} -o no/flips.nc", "is not a folder; make it first"),
+        (f"{FLIP} --theta1=-180:180", "--theta1 needs the unit at both ends, such as -180deg"),
         (f"{FLIP} --picture flips.gif", "--picture must end in one of .png, .svg, .pdf"),
         (f"{FLIP} --resume", "--resume needs a .zarr store"),
         (f"{FLIP} --resume -o flips.nc", "--resume needs a .zarr store"),

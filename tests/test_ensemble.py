@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -130,6 +129,21 @@ def test_nothing_but_the_start(method: str) -> None:
     check_alone(many, system, starts(system, 5), [0.0], method, **step)
 
 
+@pytest.mark.parametrize("method", [each.name for each in methods() if not each.adaptive])
+def test_the_first_output_is_the_start_as_it_was_given(method: str) -> None:
+    """Through momenta and back a method may lose the last bits."""
+    system = (
+        RODS if "double" in next(m for m in methods() if m.name == method).systems else SYSTEMS[1]
+    )
+    states = starts(system, 20)
+    for t in ([0.0], [0.0, 0.05]):
+        many = ensemble(system, states, t, method, step=0.01)
+        np.testing.assert_array_equal(many.states[:, 0], states)
+        for own in (t, 0.05):
+            alone = solve(system, states[0], own, method, step=0.01)
+            np.testing.assert_array_equal(alone.states[0], states[0])
+
+
 def test_one_end_time_is_one_output() -> None:
     states = starts(RODS, 4)
     many = ensemble(RODS, states, 2.0)
@@ -232,11 +246,13 @@ def test_a_limit_of_steps(method: Any, system: System, limit: int) -> None:
 def test_the_horizon_of_each_is_that_of_its_run(method: str, options: dict[str, Any]) -> None:
     options = {"step": 0.01} if method == "rk4" else options
     states = starts(RODS, 6)
-    states[2, 0] = 2.0**27  # right until its first step at most
+    states[2, 0] = 2.0**27  # right until its first step at most, as is the next one
+    states[3, 2] = 1e300
     many = ensemble(RODS, states, [4.0, 8.0], method, certify=1e-5, threads=2, **options)
     check_alone(many, RODS, states, [4.0, 8.0], method, certify=1e-5, **options)
     assert many.trust_horizon is not None
-    assert many.trust_horizon[2] == {"taylor": math.inf, "rk4": 0.01}[method]
+    assert many.trust_horizon[2] == {"taylor": 0.0, "rk4": 0.01}[method]
+    assert many.trust_horizon[3] == many.trust_horizon[2]
     single = horizon(RODS, states[0], method, 0.0, 8.0, certify=1e-5, **options)
     assert many.trust_horizon[0] == single
     assert np.isfinite(many.trust_horizon).any()

@@ -167,7 +167,12 @@ def many_steps() -> None:
     horizon(DoublePendulum.rods(), rest, "gauss8", 0.0, 1e5, step=1e-3, certify=1e-6)
 
 
-@pytest.mark.parametrize("work", [many_digits, many_steps])
+def one_long_step() -> None:
+    """In which the pendulum turns millions of times."""
+    solve(SimplePendulum(), (1.0, 5e7), [1.0], "rk4", step=0.5, certify=1.0)
+
+
+@pytest.mark.parametrize("work", [many_digits, many_steps, one_long_step])
 def test_an_interrupt_ends_it(work: Callable[[], None]) -> None:
     timer = threading.Timer(0.5, signal.raise_signal, [signal.SIGINT])
     started = time.monotonic()

@@ -73,7 +73,7 @@ void run_one_by_one(const ensemble_request& asked, std::span<const fixed_place> 
   }
 }
 
-// Trajectories that end where they begin.
+// Trajectories of an adaptive method that end where they begin.
 void run_none(const ensemble_request& asked, std::size_t dimension, ensemble_receiver& to) {
   for (std::size_t n; (n = to.next()) != no_more;) {
     for (std::size_t i = 0; i < asked.times.size(); ++i) to.output(n, i, asked.states + n * dimension);
@@ -84,7 +84,7 @@ void run_none(const ensemble_request& asked, std::size_t dimension, ensemble_rec
 }  // namespace
 
 void run_ensemble(const ensemble_request& asked, std::size_t dimension, ensemble_receiver& to) {
-  if (asked.end == asked.t0) return run_none(asked, dimension, to);
+  if (asked.end == asked.t0 && asked.step == 0.0) return run_none(asked, dimension, to);
   std::vector<fixed_place> places;
   if (asked.step != 0.0) places = pendula::requested_times(asked.t0, asked.step, asked.times).outputs;
   const bool lanes_find_events = asked.events.empty() || asked.method == "taylor";

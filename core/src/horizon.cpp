@@ -12,7 +12,7 @@ namespace {
 
 constexpr double never = std::numeric_limits<double>::infinity();
 
-using poll = std::function<bool(double)>;
+using poll = parting::poll;
 
 struct watcher {
   parting& from;
@@ -35,7 +35,7 @@ std::optional<double> of_adaptive(Stepper& stepper, const horizon_request& asked
   bool going_on = true;
   const auto ended = run.to_end(std::numeric_limits<std::int64_t>::max(), watching,
                                 [&](double t, std::int64_t) { return going_on = go_on(t); });
-  if (!going_on) return std::nullopt;
+  if (!going_on || from.stopped()) return std::nullopt;
   return ended.ended == outcome::not_finite ? run.time_after(0.0) : watching.horizon;
 }
 
@@ -69,7 +69,7 @@ std::optional<double> of_fixed(const horizon_request& asked, parting& from, cons
   pendula_kernels::fixed_plain.each_step({asked.system, asked.form, asked.parameters.data(), asked.method,
                                           asked.state.data(), asked.step, std::numeric_limits<std::int64_t>::max()},
                                          watching.last, watching);
-  if (!watching.going_on && watching.horizon == never) return std::nullopt;
+  if (from.stopped() || (!watching.going_on && watching.horizon == never)) return std::nullopt;
   return watching.horizon;
 }
 
@@ -94,7 +94,7 @@ std::optional<double> trust_horizon(const horizon_request& asked, const poll& go
   const double direction = asked.end < asked.t0 ? -1.0 : 1.0;
   const auto beside = pendula_kernels::best_shadow_maker().make(
       {asked.system, asked.form, asked.parameters.data(), asked.state.data(), asked.t0, direction});
-  parting from(*beside, asked.certify, direction);
+  parting from(*beside, asked.certify, direction, go_on);
   if (asked.step != 0.0) return of_fixed(asked, from, go_on);
   std::optional<double> found;
   with<systems>(asked.system, [&]<class Entry>() { found = of_system<Entry>(asked, from, go_on); });

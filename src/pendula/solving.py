@@ -186,9 +186,11 @@ def _horizon(run: Trajectory, progress: Progress) -> float:
     asked = run.request
     assert asked.certify is not None
     reached = _reached(run)
+    # beyond its end a run that broke down is right about nothing
+    beyond = reached if run.outcome == "not_finite" else math.inf
     if reached == asked.t0:
-        return math.inf
-    return horizon(
+        return beyond
+    found = horizon(
         run.system,
         asked.state,
         run.method,
@@ -199,6 +201,7 @@ def _horizon(run: Trajectory, progress: Progress) -> float:
         certify=asked.certify,
         progress=progress,
     )
+    return beyond if math.isinf(found) else found
 
 
 def _reached(run: Trajectory) -> float:

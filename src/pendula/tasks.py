@@ -101,6 +101,9 @@ def run_task(
     if progress is not None:
         progress(1.0)
     outcomes, events = np.array(_engine.OUTCOMES)[ended], [EnsembleCrossings(*c) for c in crossings]
+    if horizons is not None:  # beyond its end a run that broke down is right about nothing
+        broken = (outcomes == "not_finite") & np.isinf(horizons)
+        horizons[broken] = reached[broken]
     return Runs(found, outcomes, steps, reached, tuple(events), horizons)
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 from contextlib import contextmanager
 from functools import partial
@@ -25,6 +26,7 @@ if TYPE_CHECKING:
     from pendula._engine import SystemEntry
 
 _TURN, _SIZE = "-180deg:180deg", "500x500"
+_MOST_BARE = 4.0 * math.pi  # rad: beyond it, a range without units is likely meant in degrees
 _ANGLES = ("theta1", "theta2")
 
 
@@ -83,16 +85,20 @@ def _output_options() -> list[click.Parameter]:
 
 
 def _map(kind: str, entry: SystemEntry, **given: Any) -> None:
+    check_store_options(given)
+    with telling_how_to_resume(given):
+        _compute(kind, entry, given)
+
+
+def _compute(kind: str, entry: SystemEntry, given: dict[str, Any]) -> None:
     from pendula import maps
 
-    check_store_options(given)
     out, picture = check_targets(given)
     asked = {**_asked(entry, given), **_OWN[kind](given)}
     cells = asked["shape"][0] * asked["shape"][1]
     store = out if out is not None and Path(out).suffix == ".zarr" else None
     with (
         cluster(given["scheduler"]) as client,
-        telling_how_to_resume(out, given),
         _enough_memory(),
         work_bar(f"{kind} map", cells, "cells") as progress,
     ):
@@ -158,7 +164,8 @@ def _range(text: str, name: str) -> tuple[float, float]:
         raise ValueError(f"{name} must be a range such as {_TURN}, got {text!r}")
     low, high = (quantity(end, "rad", name) for end in ends)
     bare = [re.fullmatch(r"[-+\d.eE\s]+", end) is not None for end in ends]
-    if bare[0] != bare[1] and (low if bare[0] else high) != 0.0:
+    one_end = bare[0] != bare[1] and (low if bare[0] else high) != 0.0
+    if one_end or (all(bare) and max(abs(low), abs(high)) > _MOST_BARE):
         raise ValueError(f"{name} needs the unit at both ends, such as {_TURN}, got {text!r}")
     return low, high
 

@@ -44,8 +44,11 @@ def check_store_options(given: dict[str, Any]) -> None:
 @contextmanager
 def cluster(scheduler: str | None) -> Iterator[Any]:
     """The client of a scheduler, closed at the end; None without one. Errors are one line."""
+    import logging
+
     from pendula.chunks import connect
 
+    logging.getLogger("distributed").setLevel(logging.CRITICAL)  # its errors are told in one line
     client = None if scheduler is None else connect(scheduler)
     try:
         yield client
@@ -57,9 +60,11 @@ def cluster(scheduler: str | None) -> Iterator[Any]:
 
 
 @contextmanager
-def telling_how_to_resume(out: str | None, given: dict[str, Any]) -> Iterator[None]:
+def telling_how_to_resume(given: dict[str, Any]) -> Iterator[None]:
     """Let Ctrl-C say how to go on with what it left."""
-    way = "the same command " + ("with --resume, not --force" if given["force"] else "and --resume")
+    out, way = given["out"], "the same command and --resume"
+    if given["force"]:
+        way = "the same command with --resume, not --force"
     try:
         yield
     except KeyboardInterrupt as stopped:

@@ -13,11 +13,17 @@ if TYPE_CHECKING:
     import xarray as xr
 
 
-def _sweep(recipe: str, out: str, **given: Any) -> None:
+def _sweep(**given: Any) -> None:
+    check_store_options(given)
+    with telling_how_to_resume(given):
+        _compute(given)
+
+
+def _compute(given: dict[str, Any]) -> None:
     from pendula.sweeping import read_sweep
     from pendula.sweeping.running import ending_of, sweep
 
-    check_store_options(given)
+    recipe, out = given["recipe"], given["out"]
     read, ending = read_sweep(recipe), ending_of(out)
     if given["resume"] and ending == ".parquet":
         raise click.UsageError(
@@ -26,7 +32,6 @@ def _sweep(recipe: str, out: str, **given: Any) -> None:
     count = read.sampler.count
     with (
         cluster(given["scheduler"]) as client,
-        telling_how_to_resume(out, given),
         work_bar("sweep", count, "rows") as progress,
     ):
         try:

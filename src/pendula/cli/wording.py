@@ -41,6 +41,8 @@ _CALLS = {  # what Python would be told to write
     "overwrite=True": "--force",
     "resume=True": "--resume",
     "resolve=False": "--no-resolve",
+    "run the same call again": "run the same command again with --resume",
+    "run the call that made the store again": "run the command that made the store with --resume",
     "another folder or overwrite it": "another folder or pass --force",
 }
 
@@ -48,15 +50,20 @@ _CALLS = {  # what Python would be told to write
 def one_line(error: Exception) -> str:
     """The message of an error, in one line."""
     if isinstance(error, click.ClickException):
-        return _joined(error.format_message()) + _help_hint(error)
+        return _joined(_as_command(error.format_message())) + _help_hint(error)
     if isinstance(error, MemoryError):
         return "not enough memory; ask for fewer outputs with a larger --every"
     if isinstance(error, OSError) and error.strerror:
         return f"{error.filename}: {error.strerror}" if error.filename else error.strerror
     message = str(error) if isinstance(error, OSError) else _with_option_names(str(error))
+    return _joined(_as_command(message))
+
+
+def _as_command(message: str) -> str:
+    """What Python would be told to write, as options."""
     for call, words in _CALLS.items():
         message = message.replace(call, words)
-    return _joined(message)
+    return message
 
 
 def _with_option_names(message: str) -> str:

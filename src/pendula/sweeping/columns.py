@@ -92,7 +92,9 @@ class Columns:
         if kind == "same_as":
             return self._same(section, row, others, value)
         if not isinstance(value, list) or not value:
-            raise self._wrong(section, row, f"{kind} must be a list of one value at least", raw)
+            rule = f"{section}.{row.name}: {kind} must be a list of one value at least"
+            message = f"{rule}, got {as_toml(value)}; name its values, or {_example(row)}"
+            raise self._file.blame(section, (row.name,), message)
         with self._file.blaming(section, row.name):
             return self._spread(section, row, kind, value)
 
@@ -145,7 +147,9 @@ class Columns:
             and (each.name in given or not getattr(each, "same_as", ""))
         ]
         if value not in likes:
-            rule = f"same_as must be one of {', '.join(likes)}" if likes else "has no like of it"
+            rule = f"same_as must be one of {', '.join(likes)}"
+            if not likes:
+                rule = "cannot be the same as another: none that could be has the same unit"
             raise self._wrong(section, row, rule, value)
         return SameAs(str(value))
 

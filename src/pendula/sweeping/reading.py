@@ -79,6 +79,9 @@ def read_sweep(path: str | PathLike[str]) -> SweepRecipe:
 def _kind(file: RecipeFile) -> tuple[SystemEntry, Form]:
     """The system and its form; the first one if none is named."""
     given, entries = file.tables.get("system", {}), _engine.system_entries()
+    if "kind" not in given:
+        rule = f"system.kind is needed, one of {', '.join(entries)}"
+        raise file.blame("system", ("",), f'{rule}; write kind = "double", say')
     with file.blaming("system", "kind", ""):
         entry = entries[one_of("system.kind", given.get("kind"), entries)]
     forms = {form.name: form for form in entry.forms}
@@ -207,5 +210,6 @@ def _check_size(file: RecipeFile, recipe: SweepRecipe) -> None:
     if rows * times > MOST_OUTPUTS:
         rule = f"run.chunk rows must have at most {MOST_OUTPUTS} outputs together"
         got = f"{rows} rows of {times:.0f} each"
-        message = f"{rule}, got {got}; take fewer rows a chunk, or more time between outputs"
+        fewer = "fewer rows a chunk, or " if rows > 1 else ""
+        message = f"{rule}, got {got}; take {fewer}more time between outputs"
         raise file.blame("run", ("chunk", "every", ""), message)

@@ -85,7 +85,7 @@ class fixed_run {
   using results = std::array<lane_result, width>;
 
   fixed_run(const Sys& system, const state& start, double step, std::int64_t step_limit)
-      : system_(system), at_(Method::begin(system, start)), step_(step), step_limit_(step_limit) {}
+      : system_(system), start_(start), at_(Method::begin(system, start)), step_(step), step_limit_(step_limit) {}
 
   // Runs through `outputs` (their steps do not decrease) and hands each state to sink(index, state); a lane that
   // has ended hands on NaN. go_on(steps taken) is asked every 2^14 steps; false ends the run as interrupted.
@@ -95,7 +95,7 @@ class fixed_run {
     for (std::size_t i = 0; i < outputs.size() && running_ > 0; ++i) {
       if (!advance(outputs[i].steps, go_on)) break;
       if (outputs[i].rest == 0.0) {
-        deliver(i, Method::state_of(system_, at_), sink);
+        deliver(i, steps_ == 0 ? start_ : Method::state_of(system_, at_), sink);  // at t0 as it was given
       } else if (steps_ + shortened_ < step_limit_) {
         deliver(i, after_shortened_step(outputs[i].rest), sink);
       } else {
@@ -206,6 +206,7 @@ class fixed_run {
   }
 
   const Sys& system_;
+  state start_;
   carried at_;
   double step_;
   std::int64_t step_limit_, steps_ = 0, shortened_ = 0;

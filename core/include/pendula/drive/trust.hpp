@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "pendula/drive/shadow_kernels.hpp"
 #include "pendula/scalar/wide.hpp"
@@ -14,13 +15,21 @@ namespace pendula {
 
 class parting {
  public:
-  parting(pendula_kernels::shadow& beside, double tolerance, double direction)
-      : beside_(beside), tolerance_(tolerance), direction_(direction) {}
+  using poll = std::function<bool(double)>;
+
+  // `go_on` is asked with the time now and then; once it says false, nothing is right, and the parting `stopped`.
+  parting(pendula_kernels::shadow& beside, double tolerance, double direction, const poll& go_on)
+      : beside_(beside), tolerance_(tolerance), direction_(direction), go_on_(go_on) {}
+
+  bool stopped() const { return stopped_; }
 
   // Of states that follow one another in time: whether this one is still right.
   template <class State>
   bool right(wide<double> time, const State& y) {
-    while (ahead(time) > 0.0) beside_.proceed();
+    for (double angle : y)
+      if (!std::isfinite(angle)) return false;  // the shadow may have far to go to tell as much
+    while (ahead(time) > 0.0)
+      if (!proceed()) return false;
     return close(time, y);
   }
 
@@ -38,13 +47,23 @@ class parting {
         if (!is_right(tau)) return last_right(from + (end - from) * (i - 1) / looks, tau, is_right);
       }
       if (end == stop) return stop;
-      beside_.proceed();
+      if (!proceed()) return end;
       from = end;
     }
   }
 
  private:
-  static constexpr int looks = 8, halvings = 40;
+  static constexpr int looks = 8, halvings = 40, between_polls = 256;
+
+  // False where the shadow is at its own limit, at speeds that leave no time between two of its steps, or is not to go
+  // on.
+  bool proceed() {
+    const auto before = beside_.step_end();
+    beside_.proceed();
+    const auto after = beside_.step_end();
+    if (++steps_ % between_polls == 0 && !go_on_(after.head)) stopped_ = true;
+    return !stopped_ && (after.head != before.head || after.tail != before.tail);
+  }
 
   // How far a time is beyond the end of the shadow's step.
   double ahead_of(wide<double> time) const {
@@ -75,6 +94,9 @@ class parting {
 
   pendula_kernels::shadow& beside_;
   double tolerance_, direction_;
+  const poll& go_on_;
+  long steps_ = 0;
+  bool stopped_ = false;
 };
 
 }  // namespace pendula
