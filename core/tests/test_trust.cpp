@@ -64,13 +64,30 @@ struct wandering {
 
 double parting_of(double (*angle)(double), double tolerance) {
   at_rest beside;
-  parting from(beside, tolerance, 1.0);
+  const parting::poll always = [](double) { return true; };
+  parting from(beside, tolerance, 1.0, always);
   for (wandering run{angle}; run.start.head[0] < 20.0; run.start.head[0] += 0.5)
     if (const double right = from.right_in_step(run, 0.5); right != 0.5) return run.start.head[0] + right;
   return -1.0;
 }
 
 }  // namespace
+
+BOOST_AUTO_TEST_CASE(a_shadow_that_stands_still_or_is_stopped_is_not_waited_for) {
+  struct : at_rest {
+    void proceed() override {}
+  } stuck;
+  at_rest beside;
+  const parting::poll always = [](double) { return true; }, never = [](double) { return false; };
+  const std::array<double, 4> still{};
+  parting from_stuck(stuck, 1.0, 1.0, always), stopped(beside, 1.0, 1.0, never);
+  BOOST_TEST(from_stuck.right(wide<double>(0.2), still));
+  BOOST_TEST(!from_stuck.right(wide<double>(1e9), still));
+  BOOST_TEST(!from_stuck.stopped());
+  BOOST_TEST(!stopped.right(wide<double>(1e9), still));
+  BOOST_TEST(stopped.stopped());
+  BOOST_TEST(!from_stuck.right(wide<double>(0.2), std::array<double, 4>{std::nan("")}));
+}
 
 BOOST_AUTO_TEST_CASE(doubles_go_into_long_numbers_and_back) {
   random_numbers random;
