@@ -11,7 +11,7 @@ PYTHON ?= python3
 UV := UV_PYTHON_DOWNLOADS=never VIRTUAL_ENV=$(CURDIR)/.venv .tools/bin/uv
 BIN := $(CURDIR)/.venv/bin
 CORES := $(shell getconf _NPROCESSORS_ONLN 2>/dev/null || echo 1)
-COMPILED := $(shell find core/include bindings/python -type f) CMakeLists.txt
+COMPILED := $(shell find core/include core/src bindings/python -type f) CMakeLists.txt
 SOURCES := $(shell find core bindings benchmarks -name '*.hpp' -o -name '*.cpp')
 
 help:

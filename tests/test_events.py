@@ -14,6 +14,7 @@ from pendula import (
     DoublePendulum,
     LinearPendulum,
     SimplePendulum,
+    ensemble,
     events,
     poincare_section,
     solve,
@@ -179,6 +180,18 @@ def test_so_many_end_the_run(count: int) -> None:
     assert run.events[1].times.tolist() == heights[heights <= last].tolist()
     np.testing.assert_allclose(run.states[-1], run.events[0].states[-1], rtol=1e-13)
     assert run.at(last).tobytes() == run.states[-1].tobytes()
+
+
+@pytest.mark.parametrize("event", [flip(1), tip_height(0.1)])
+@pytest.mark.parametrize("state", [(1e150, 0.0), (1e12, 0.0)])
+def test_crossings_without_number_end_the_run(event: Event, state: tuple[float, float]) -> None:
+    """Also of one among others; and nobody waits for it."""
+    linear, good = LinearPendulum(), (4.0, 0.0)
+    alone = solve(linear, state, [2.0], events=event)
+    assert (alone.outcome, alone.n_steps, alone.t.size) == ("not_finite", 0, 0)
+    many = ensemble(linear, [good, state, good], [2.0], events=event)
+    assert many.outcomes.tolist() == ["reached_end", "not_finite", "reached_end"]
+    assert set(many.events[0].trajectories.tolist()) == {0, 2}
 
 
 def test_an_event_that_does_not_come_ends_nothing() -> None:

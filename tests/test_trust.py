@@ -167,6 +167,13 @@ def many_steps() -> None:
     horizon(DoublePendulum.rods(), rest, "gauss8", 0.0, 1e5, step=1e-3, certify=1e-6)
 
 
+@pytest.mark.parametrize("method", ["euler", "rk4", "gauss8"])
+@pytest.mark.parametrize("speed", [1e12, 1e300])
+def test_a_run_beyond_all_bounds_is_wrong_at_once(method: str, speed: float) -> None:
+    run = solve(SimplePendulum(), (1.5, speed), [1.0], method, step=0.01, certify=1e-6)
+    assert (run.outcome, run.trust_horizon) == ("not_finite", 0.01)
+
+
 def one_long_step() -> None:
     """In which the pendulum turns millions of times."""
     solve(SimplePendulum(), (1.0, 5e7), [1.0], "rk4", step=0.5, certify=1.0)

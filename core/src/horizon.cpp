@@ -49,12 +49,21 @@ struct step_watcher final : pendula_kernels::fixed_receiver {
     const auto n = static_cast<std::int64_t>(place);
     const wide<double> on_grid = wide<double>(two_product(static_cast<double>(n), asked.step)) + wide<double>(asked.t0);
     const wide<double> time = n > last.steps ? wide<double>(asked.end) : on_grid;
-    const bool right = from.right(time, std::span(y, asked.state.size()));
+    const std::span state(y, asked.state.size());
+    const bool right = in_range(state) && from.right(time, state);
     if (!right) horizon = rounded(time);
     if (n % between_polls == 0) going_on = ask(rounded(time));
     return right && going_on;
   }
   bool go_on(std::int64_t) override { return true; }
+
+  // Angles that have a sine, without which neither the run nor the shadow goes on: it may have millions of turns to go
+  // to tell as much.
+  bool in_range(std::span<const double> state) const {
+    if (asked.system == linear_pendulum::name) return true;
+    const auto has_sine = [](double angle) { return std::fabs(angle) < largest_angle; };
+    return std::ranges::all_of(state.first(state.size() / 2), has_sine);
+  }
 
   const horizon_request& asked;
   parting& from;

@@ -47,7 +47,7 @@ class adaptive_run {
       if (result.steps == step_limit) return ended(result, outcome::step_limit);
       stepper_.expand(direction_);
       const auto next = stepper_.after(stepper_.length());
-      if (!all_finite(next.head)) return ended(result, outcome::not_finite);
+      if (!all_finite(next.head) || !countable()) return ended(result, outcome::not_finite);
       ++result.steps;
       const S left = since_step(end_);
       const bool last = !(direction_ * rough(stepper_.length()) < direction_ * rough(left));
@@ -87,6 +87,13 @@ class adaptive_run {
     double sum = 0.0;
     for (const S& component : y) sum += rough(component);
     return sum - sum == 0.0;
+  }
+
+  bool countable() const {
+    if constexpr (std::same_as<S, double>)
+      for (const event_tracker& each : trackers_)
+        if (!each.countable(stepper_)) return false;
+    return true;
   }
 
   // True where one ends the run, at the time `stop` then is.

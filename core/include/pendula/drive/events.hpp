@@ -32,6 +32,8 @@ inline constexpr double turn_head = 0x1.921fb54442d18p+2, turn_tail = 0x1.1a6263
 // Nearer to a target than this, in parts of what the quantity changes by, the side that it is on is not known; nearer
 // than the other, a step can have ended on the wrong side of a crossing that the next one begins behind.
 inline constexpr double unsure = 0x1p-44, joining = 0x1p-30;
+// More turns than these in one step, about a second's work, or so far away, are not looked at one by one.
+inline constexpr double most_turns = 0x1p18, most_turns_of_tip = 0x1p12, farthest_turn = 0x1p50;
 
 // Of an angle that is a polynomial: s' = c θ', c' = −s θ'.
 inline polynomial cosine_of(const polynomial& angle) {
@@ -66,6 +68,21 @@ class event_tracker {
  public:
   event_tracker(const event& what, int place) : what_(what), place_(place) {}
 
+  // Whether all crossings of the step can be found; a motion so fast that they cannot has come to its end.
+  template <class Stepper>
+  bool countable(const Stepper& stepper) const {
+    const auto few = [&](int angle, double most) {
+      const polynomial p = stepper.angle_polynomial(angle);
+      return p.reach(1.0) <= most * detail::turn_head &&
+             std::fabs(p.coefficient[0]) <= detail::farthest_turn * detail::turn_head;
+    };
+    if (what_.kind == event_kind::angle) return !what_.every_turn || few(what_.index, detail::most_turns);
+    if (what_.kind == event_kind::velocity) return true;
+    for (std::size_t i = 0; i < stepper.of().lengths().size(); ++i)
+      if (!few(static_cast<int>(i), detail::most_turns_of_tip)) return false;
+    return true;
+  }
+
   // Adds the crossings of a step that is worked out, up to the part `end` of its length, in their order.
   template <class Stepper>
   void find(const Stepper& stepper, double end, std::vector<crossing>& found) {
@@ -94,7 +111,7 @@ class event_tracker {
     if (what_.kind == event_kind::tip_height)
       for (std::size_t i = 0; i < stepper.of().lengths().size(); ++i)
         reach = std::max(reach, stepper.angle_polynomial(static_cast<int>(i)).reach(1.0));
-    return static_cast<int>(std::min(std::ceil(reach), 1e6));
+    return static_cast<int>(std::ceil(reach));
   }
 
   template <class Stepper>

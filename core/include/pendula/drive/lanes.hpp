@@ -85,7 +85,7 @@ class lanes_run {
       const S h = stepper_.length(), left = since_step(S(task_.end));
       const auto arrived = opposite(less(S(direction_) * h, S(direction_) * left));
       const auto next = stepper_.after(h);
-      const auto well = finite<S>(next.head);
+      auto well = finite<S>(next.head);
       ++steps_;
       S stop = choose(arrived, left, h);
       bool terminated = false;
@@ -160,9 +160,10 @@ class lanes_run {
     }
   }
 
-  // Whether one of the events ends a trajectory, at the time its `stop` then is.
+  // Whether one of the events ends a trajectory, at the time its `stop` then is. One whose events cannot be counted is
+  // not well.
   template <class Mask>
-  bool tell_events(Mask well, S& stop) {
+  bool tell_events(Mask& well, S& stop) {
     bool terminated = false;
     for (std::size_t i = 0; i < task_.events.size(); ++i) {
       const auto near = both(well, may_cross(task_.events[i]));
@@ -171,7 +172,13 @@ class lanes_run {
         one_lane& mine = lanes_[l];
         if (!lane_of(near, l) || mine.trajectory == no_trajectory) continue;
         const view step{stepper_, mine.system, l};
-        mine.trackers[i].find(step, lane(stop, l) / step.length(), found_[l]);
+        if (!mine.trackers[i].countable(step)) {
+          S this_one(0.0);
+          set_lane(this_one, l, 1.0);
+          well = both(well, equal(this_one, S(0.0)));
+          found_[l].clear();
+        }
+        if (lane_of(well, l)) mine.trackers[i].find(step, lane(stop, l) / step.length(), found_[l]);
       }
     }
     for (int l = 0; l < width; ++l)
