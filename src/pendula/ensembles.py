@@ -14,7 +14,7 @@ from pendula._arguments import (
 from pendula._checks import check_progress, finite_number, states_array
 from pendula._progress import part
 from pendula.systems import System, check_system
-from pendula.tasks import EnsembleCrossings, Runs, Task, checked_threads, run_task
+from pendula.tasks import Runs, Task, checked_threads, run_task
 from pendula.trust import digits_states
 
 if TYPE_CHECKING:
@@ -29,31 +29,19 @@ if TYPE_CHECKING:
     Array = NDArray[np.float64]
 
 
-@dataclass(frozen=True, eq=False, repr=False)
-class Ensemble:
-    """What `ensemble` returns: n trajectories with outputs at the same times.
+@dataclass(frozen=True, eq=False, repr=False, kw_only=True)
+class Ensemble(Runs):
+    """What `ensemble` returns: n trajectories, with all that `Runs` says of them.
 
     Attributes:
         systems: the pendulum of all, or one of each.
         method: the name of the method.
         t: times of the outputs, (m,) [s].
-        states: at those times, (n, m, d) [rad, rad/s]; NaN where a run did not come so far.
-        outcomes: how each run ended, (n,): "reached_end", "event", "step_limit" or "not_finite".
-        n_steps: steps that each took, (n,).
-        reached: the time up to which each was made, (n,) [s].
-        events: trajectories, times and states of each event.
-        trust_horizon: (n,) [s], infinite where it is not passed within the run; None: not asked.
     """
 
     systems: System | tuple[System, ...]
     method: str
     t: Array
-    states: Array
-    outcomes: NDArray[np.str_]
-    n_steps: NDArray[np.int64]
-    reached: Array
-    events: tuple[EnsembleCrossings, ...] = ()
-    trust_horizon: Array | None = None
 
     def __len__(self) -> int:
         return len(self.states)
@@ -138,7 +126,8 @@ def ensemble(
         found = run_task(task, parameters, starts, count, progress)
     else:
         found = _runs_with_digits(task, systems, starts, digits, progress)
-    return Ensemble(system if isinstance(system, System) else systems, chosen.name, times, *found)
+    asked = system if isinstance(system, System) else systems
+    return Ensemble(systems=asked, method=chosen.name, t=times, **vars(found))
 
 
 def _checked_systems(system: System | Sequence[System]) -> tuple[System, ...]:
@@ -194,4 +183,5 @@ def _runs_with_digits(
             )[0]
         except ValueError:
             outcomes[i], reached[i] = "not_finite", task.t0
-    return Runs(states, outcomes, np.zeros(n, np.int64), reached)
+    steps = np.zeros(n, np.int64)
+    return Runs(states=states, outcomes=outcomes, n_steps=steps, reached=reached)

@@ -60,8 +60,18 @@ class EnsembleCrossings(NamedTuple):
     states: Array
 
 
-class Runs(NamedTuple):
-    """How the trajectories of an ensemble went; the attributes of `Ensemble` of the same names."""
+@dataclass(frozen=True, eq=False, repr=False, kw_only=True)
+class Runs:
+    """How n trajectories went that have outputs at the same m times.
+
+    Attributes:
+        states: at those times, (n, m, d) [rad, rad/s]; NaN where a run did not come so far.
+        outcomes: how each run ended, (n,): "reached_end", "event", "step_limit" or "not_finite".
+        n_steps: steps that each took, (n,).
+        reached: the time up to which each was made, (n,) [s].
+        events: trajectories, times and states of each event.
+        trust_horizon: (n,) [s], infinite where it is not passed within the run; None: not asked.
+    """
 
     states: Array
     outcomes: NDArray[np.str_]
@@ -104,7 +114,14 @@ def run_task(
     if horizons is not None:  # beyond its end a run that broke down is right about nothing
         broken = (outcomes == "not_finite") & np.isinf(horizons)
         horizons[broken] = reached[broken]
-    return Runs(found, outcomes, steps, reached, tuple(events), horizons)
+    return Runs(
+        states=found,
+        outcomes=outcomes,
+        n_steps=steps,
+        reached=reached,
+        events=tuple(events),
+        trust_horizon=horizons,
+    )
 
 
 def checked_threads(threads: int | None) -> int:

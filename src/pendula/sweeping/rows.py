@@ -62,18 +62,20 @@ class SweepRows:
         parameters, starts = recipe.rows(*chunk.spans[ROW])
         task = Task(recipe.system, recipe.form, recipe.method, 0.0, recipe.times, **recipe.options)
         how = checked_threads(threads), part(progress, 0.0, _RUNS)
-        states, outcomes, n_steps, reached, _, horizons = run_task(task, parameters, starts, *how)
+        runs = run_task(task, parameters, starts, *how)
         made: dict[str, NDArray[np.generic]] = {
             **dict(zip(recipe.parameters, parameters.T, strict=True)),
             **dict(zip(map(start_name, recipe.components), starts.T, strict=True)),
-            **dict(zip(recipe.components, np.moveaxis(states, -1, 0), strict=True)),
-            "energy": self._energies(parameters, states),
-            "n_steps": n_steps,
-            "reached": reached,
-            "outcome": (outcomes[:, np.newaxis] == np.array(ENDS)).argmax(axis=1).astype(np.uint8),
+            **dict(zip(recipe.components, np.moveaxis(runs.states, -1, 0), strict=True)),
+            "energy": self._energies(parameters, runs.states),
+            "n_steps": runs.n_steps,
+            "reached": runs.reached,
+            "outcome": (runs.outcomes[:, np.newaxis] == np.array(ENDS))
+            .argmax(axis=1)
+            .astype(np.uint8),
         }
-        if horizons is not None:
-            made["trust_horizon"] = horizons
+        if runs.trust_horizon is not None:
+            made["trust_horizon"] = runs.trust_horizon
         return made
 
     def _energies(self, parameters: Array, states: Array) -> Array:
