@@ -57,12 +57,11 @@ struct step_watcher final : pendula_kernels::fixed_receiver {
   }
   bool go_on(std::int64_t) override { return true; }
 
-  // Angles that have a sine, without which neither the run nor the shadow goes on: it may have millions of turns to go
-  // to tell as much.
+  // Finite angles, which have a sine where there is one in the equations: without it neither the run nor the shadow
+  // goes on, and that may have millions of turns to go to tell as much.
   bool in_range(std::span<const double> state) const {
-    if (asked.system == linear_pendulum::name) return true;
-    const auto has_sine = [](double angle) { return std::fabs(angle) < largest_angle; };
-    return std::ranges::all_of(state.first(state.size() / 2), has_sine);
+    const double range = asked.system == linear_pendulum::name ? never : largest_angle;
+    return std::ranges::all_of(state.first(state.size() / 2), [=](double angle) { return std::fabs(angle) < range; });
   }
 
   const horizon_request& asked;

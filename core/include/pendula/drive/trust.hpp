@@ -26,8 +26,6 @@ class parting {
   // Of states that follow one another in time: whether this one is still right.
   template <class State>
   bool right(wide<double> time, const State& y) {
-    for (const double component : y)
-      if (!std::isfinite(component)) return false;  // the shadow may have far to go to tell as much
     while (ahead(time) > 0.0)
       if (!proceed()) return false;
     return close(time, y);
