@@ -25,7 +25,7 @@ void core() {
   const S p[] = {S(1.0), S(1.0), S(1.0), S(1.0), S(9.81)};
   const Sys system = pendula::double_pendulum::make<S>(0, p);
   const pendula::fixed_output last[] = {{steps, 0.0}};
-  pendula::fixed_run<pendula::rk4, Sys>(system, {S(2.0), S(2.5), S(0.0), S(0.0)}, 1e-4, steps)
+  pendula::fixed_run<pendula::rk4, Sys>(system, {S(2.0), S(2.5), S(0.0), S(0.0)}, 0.0, 1e-4, steps)
       .through(last, [](std::size_t, const auto& y) { kept = pendula::lane(y[0], 0); }, [](auto) { return true; });
 }
 

@@ -4,6 +4,7 @@
 
 #include "pendula/drive/lanes.hpp"
 #include "pendula/method/taylor.hpp"
+#include "pendula/system/double_pendulum.hpp"
 
 namespace {
 
@@ -21,7 +22,7 @@ struct feed {
 
   std::size_t next(One& stepper) {
     if (taken == count) return no_trajectory;
-    stepper.start({angles[taken], angles[count + taken], 0.0, 0.0});
+    stepper.start(0.0, {angles[taken], angles[count + taken], 0.0, 0.0});
     return static_cast<std::size_t>(taken++);
   }
   void output(std::size_t n, std::size_t, const vec<double, 4>& y) { std::ranges::copy(y, states + 4 * n); }

@@ -6,6 +6,8 @@
 
 #include <initializer_list>
 #include <memory>
+#include <span>
+#include <vector>
 
 namespace pendula_python {
 
@@ -14,6 +16,10 @@ namespace nb = nanobind;
 using array_in = nb::ndarray<const double, nb::ndim<1>, nb::c_contig, nb::device::cpu>;
 using matrix_in = nb::ndarray<const double, nb::ndim<2>, nb::c_contig, nb::device::cpu>;
 using array_out = nb::ndarray<nb::numpy, double>;
+using integers_out = nb::ndarray<nb::numpy, std::int64_t>;
+
+inline std::span<const double> span_of(const array_in& a) { return {a.data(), a.shape(0)}; }
+inline std::span<const double> span_of(const matrix_in& a) { return {a.data(), a.shape(0) * a.shape(1)}; }
 
 // An array of doubles that numpy owns; its memory is not initialised.
 struct new_array {
@@ -29,5 +35,15 @@ struct new_array {
     array = array_out(data, shape, owner);
   }
 };
+
+// The numbers of a bound object's field as an array, which keeps the object alive.
+template <class Owner>
+array_out view(const Owner& owner, const std::vector<double>& numbers, std::initializer_list<std::size_t> shape) {
+  return {const_cast<double*>(numbers.data()), shape, nb::find(owner)};
+}
+template <class Owner>
+integers_out view(const Owner& owner, const std::vector<std::int64_t>& numbers) {
+  return {const_cast<std::int64_t*>(numbers.data()), {numbers.size()}, nb::find(owner)};
+}
 
 }  // namespace pendula_python

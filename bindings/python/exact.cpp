@@ -1,5 +1,5 @@
 // The closed-form solutions over arrays.
-#include "pendula/drive/exact.hpp"
+#include "pendula/kernels/exact.hpp"
 
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
@@ -42,15 +42,13 @@ bool solved(Solve&& solve) {
 bool exact_simple(double length, double gravity, const matrix_in& states, const array_in& t, double t0,
                   const array_to_fill& out) {
   const auto asked = request(length, gravity, states, t, t0, out);
-  return solved(
-      [&] { return pendula::exact_simple(*pendula_kernels::all_exact().back(), asked, out.data(), no_signal); });
+  return solved([&] { return pendula::exact_simple(*pendula::all_exact().back(), asked, out.data(), no_signal); });
 }
 
 bool exact_linear(double length, double gravity, const matrix_in& states, const array_in& t, double t0,
                   const array_to_fill& out) {
   const auto asked = request(length, gravity, states, t, t0, out);
-  return solved(
-      [&] { return pendula::exact_linear(*pendula_kernels::all_exact().back(), asked, out.data(), no_signal); });
+  return solved([&] { return pendula::exact_linear(*pendula::all_exact().back(), asked, out.data(), no_signal); });
 }
 
 // f(θ, ω) of each state; f takes a millisecond at most.

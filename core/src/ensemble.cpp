@@ -1,98 +1,156 @@
 // Ensembles of any method, through the lanes of this processor.
-#include <vector>
+#include "pendula/kernels/ensemble.hpp"
 
-#include "pendula/drive/ensemble_kernels.hpp"
-#include "pendula/drive/fixed.hpp"
-#include "pendula/drive/machine.hpp"
+#include <algorithm>
+#include <cmath>
+#include <limits>
 
-namespace pendula_kernels {
+#include "pendula/kernels/check.hpp"
+#include "pendula/kernels/horizon.hpp"
+#include "pendula/kernels/lanes_kernels.hpp"
 
-#ifdef PENDULA_X86_KERNELS
-extern const lanes_kernel adaptive_lanes_avx2, adaptive_lanes_avx512, fixed_lanes_avx2, fixed_lanes_avx512;
-static const lanes_kernel* const adaptive_lanes[] = {&adaptive_lanes_avx2, &adaptive_lanes_avx512};
-static const lanes_kernel* const fixed_lanes[] = {&fixed_lanes_avx2, &fixed_lanes_avx512};
-static constexpr machine first_with_lanes = machine::avx2;
-#else
-extern const lanes_kernel adaptive_lanes_plain, fixed_lanes_plain;
-static const lanes_kernel* const adaptive_lanes[] = {&adaptive_lanes_plain};
-static const lanes_kernel* const fixed_lanes[] = {&fixed_lanes_plain};
-static constexpr machine first_with_lanes = machine::plain;
-#endif
+namespace pendula {
 
 namespace {
 
-// One trajectory of an ensemble, as the run of a single one tells of it.
-struct one_of_many : receiver {
-  one_of_many(ensemble_receiver& to, std::size_t trajectory) : to(to), trajectory(trajectory) {}
-
-  void output(double, const double* y) override { to.output(trajectory, place++, y); }
-  void event(int kind, double t, const double* y) override { to.event(trajectory, kind, t, y); }
-  void step(const step_memory&) override {}
-  bool go_on(double, std::int64_t) override { return to.go_on(); }
-
-  ensemble_receiver& to;
-  std::size_t trajectory, place = 0;
+struct found_event {
+  std::size_t trajectory;
+  int place;
+  double t;
+  std::size_t state;  // where it begins among the worker's states
 };
 
-struct fixed_one_of_many : fixed_receiver {
-  fixed_one_of_many(ensemble_receiver& to, std::size_t trajectory) : to(to), trajectory(trajectory) {}
+// What one worker hands on: every trajectory has a place of its own in the result.
+struct worker final : ensemble_receiver {
+  worker(shared_work& work, ensemble_result& to, std::size_t outputs, std::size_t dimension)
+      : work(&work), to(&to), outputs(outputs), dimension(dimension) {}
 
-  bool output(std::size_t place, const double* y) override {
+  std::size_t next() override { return work->next(); }
+  void output(std::size_t trajectory, std::size_t place, const double* y) override {
+    std::copy_n(y, dimension,
+                to->states.begin() + static_cast<std::ptrdiff_t>((trajectory * outputs + place) * dimension));
+  }
+  void event(std::size_t trajectory, int place, double t, const double* y) override {
+    events.push_back({trajectory, place, t, event_states.size()});
+    event_states.insert(event_states.end(), y, y + dimension);
+  }
+  void finish(std::size_t trajectory, const run_end& end) override {
+    to->ended[trajectory] = end.ended;
+    to->steps[trajectory] = end.steps;
+    to->evaluations[trajectory] = end.evaluations;
+    to->reached[trajectory] = end.reached;
+    work->done();
+  }
+  bool go_on() override { return work->go_on(); }
+
+  shared_work* work;
+  ensemble_result* to;
+  std::size_t outputs, dimension;
+  std::vector<found_event> events;
+  std::vector<double> event_states;
+};
+
+// One trajectory of an ensemble, as a run of its own reports it.
+struct one_trajectory final : receiver {
+  one_trajectory(ensemble_receiver& to, std::size_t trajectory) : to(to), trajectory(trajectory) {}
+
+  bool output(std::size_t place, double, const double* y) override {
     to.output(trajectory, place, y);
     return true;
   }
-  bool go_on(std::int64_t) override { return to.go_on(); }
+  void event(int place, double t, const double* y) override { to.event(trajectory, place, t, y); }
+  void step(const step_memory&) override {}
+  bool go_on(double) override { return to.go_on(); }
 
   ensemble_receiver& to;
   std::size_t trajectory;
 };
 
-double reached_by(const fixed_outcome& result, const ensemble_request& asked) {
-  if (static_cast<pendula::outcome>(result.ended) == pendula::outcome::reached_end) return asked.end;
-  return asked.t0 + static_cast<double>(result.steps) * asked.step;
+// The request of one trajectory alone.
+void take_row(const ensemble_rows& rows, std::size_t n, request& one) {
+  one.state.assign(rows.state_of(n), rows.state_of(n) + rows.dimension);
+  one.system.parameters.assign(rows.parameters_of(n), rows.parameters_of(n) + one.system.parameters.size());
 }
 
-void run_one_by_one(const ensemble_request& asked, std::span<const fixed_place> places, std::size_t dimension,
-                    ensemble_receiver& to) {
-  for (std::size_t n; (n = to.next()) != no_more;) {
-    const double* const parameters = asked.parameters + n * asked.parameters_apart;
-    const double* const state = asked.states + n * dimension;
-    if (asked.step != 0.0) {
-      fixed_one_of_many told(to, n);
-      const fixed_outcome result = fixed_plain.run(
-          {asked.system, asked.form, parameters, asked.method, state, asked.step, asked.step_limit}, places, told);
-      to.finish(n, result.ended, result.steps, reached_by(result, asked));
-    } else {
-      one_of_many told(to, n);
-      const adaptive_outcome result =
-          all_adaptive().back()->solve({asked.system, asked.form, parameters, asked.method, state, asked.t0, asked.end,
-                                        asked.log2_of_tolerance, asked.step_limit},
-                                       asked.times, asked.events, told);
-      to.finish(n, result.ended, result.steps, result.reached);
+void run_one_by_one(const request& asked, const ensemble_rows& rows, ensemble_receiver& to) {
+  request one = asked;
+  for (std::size_t n; (n = to.next()) != no_more_work;) {
+    take_row(rows, n, one);
+    one_trajectory report(to, n);
+    to.finish(n, kernel_for(one).solve(one, report));
+  }
+}
+
+void run_share(const request& asked, const ensemble_rows& rows, ensemble_receiver& to) {
+  const bool ends_where_it_begins = asked.end() == asked.t0;
+  const auto kernels = lanes_kernels_for(asked);
+  for (auto widest = kernels.rbegin(); !ends_where_it_begins && widest != kernels.rend(); ++widest)
+    if ((*widest)->run(asked, rows, to)) return;
+  run_one_by_one(asked, rows, to);
+}
+
+// The crossings of each event, by trajectory and time.
+std::vector<crossings> by_event(const std::vector<worker>& workers, std::size_t kinds, std::size_t dimension) {
+  struct place {
+    const worker* from;
+    const found_event* event;
+  };
+  std::vector<crossings> all(kinds);
+  for (std::size_t kind = 0; kind < kinds; ++kind) {
+    std::vector<place> mine;
+    for (const worker& each : workers)
+      for (const found_event& event : each.events)
+        if (event.place == static_cast<int>(kind)) mine.push_back({&each, &event});
+    std::ranges::stable_sort(mine, {}, [](const place& p) { return p.event->trajectory; });
+    for (const place& p : mine) {
+      const double* const y = p.from->event_states.data() + p.event->state;
+      all[kind].trajectories.push_back(static_cast<std::int64_t>(p.event->trajectory));
+      all[kind].times.push_back(p.event->t);
+      all[kind].states.insert(all[kind].states.end(), y, y + dimension);
     }
   }
+  return all;
 }
 
-// Trajectories of an adaptive method that end where they begin.
-void run_none(const ensemble_request& asked, std::size_t dimension, ensemble_receiver& to) {
-  for (std::size_t n; (n = to.next()) != no_more;) {
-    for (std::size_t i = 0; i < asked.times.size(); ++i) to.output(n, i, asked.states + n * dimension);
-    to.finish(n, static_cast<std::uint8_t>(pendula::outcome::reached_end), 0, asked.t0);
-  }
+// The trust horizon of each run; false where `watch` ended it.
+bool find_horizons(const request& asked, const ensemble_rows& rows, pool& workers, const watcher& watch,
+                   ensemble_result& result) {
+  result.trust_horizon.assign(rows.count, std::numeric_limits<double>::quiet_NaN());
+  return workers.share_out(rows.count, watch, [&](std::size_t, shared_work& work) {
+    request one = asked;
+    for (std::size_t n; (n = work.next()) != no_more_work; work.done()) {
+      take_row(rows, n, one);
+      const watcher going_on = [&](double) { return work.go_on(); };
+      const auto found = trust_horizon(one, result.reached[n], result.ended[n], going_on);
+      if (found) result.trust_horizon[n] = *found;
+    }
+  });
 }
 
 }  // namespace
 
-void run_ensemble(const ensemble_request& asked, std::size_t dimension, ensemble_receiver& to) {
-  if (asked.end == asked.t0 && asked.step == 0.0) return run_none(asked, dimension, to);
-  std::vector<fixed_place> places;
-  if (asked.step != 0.0) places = pendula::requested_times(asked.t0, asked.step, asked.times).outputs;
-  const bool lanes_find_events = asked.events.empty() || asked.method == "taylor";
-  if (!lanes_find_events) return run_one_by_one(asked, places, dimension, to);
-  const auto kernels = built_for_here(asked.step != 0.0 ? fixed_lanes : adaptive_lanes, first_with_lanes);
-  for (auto widest = kernels.rbegin(); widest != kernels.rend(); ++widest)
-    if ((*widest)->run(asked, places, to)) return;
-  run_one_by_one(asked, places, dimension, to);
+ensemble_result run_ensemble(const request& asked, const ensemble_rows& rows, pool& workers, const watcher& watch) {
+  ensemble_result result;
+  result.refused = check(asked);
+  if (result.refused) return result;
+  const std::size_t n = rows.count, outputs = asked.times.size();
+  result.ended.resize(n);
+  result.steps.resize(n);
+  result.evaluations.resize(n);
+  result.reached.resize(n);
+  result.states.assign(n * outputs * rows.dimension, std::numeric_limits<double>::quiet_NaN());
+  const bool certified = asked.options.certify.has_value();
+  const watcher of_runs = certified ? part_of(watch, 0.0, plain_share) : watch;
+  std::vector<std::vector<worker>> used(workers.workers());
+  const bool complete = workers.share_out(n, of_runs, [&](std::size_t i, shared_work& work) {
+    run_share(asked, rows, used[i].emplace_back(work, result, outputs, rows.dimension));
+  });
+  std::vector<worker> all;
+  for (auto& each : used) std::ranges::move(each, std::back_inserter(all));
+  result.events = by_event(all, asked.events.size(), rows.dimension);
+  result.interrupted =
+      !complete || (certified && !find_horizons(asked, rows, workers, part_of(watch, plain_share, 1.0), result));
+  return result;
 }
 
-}  // namespace pendula_kernels
+}  // namespace pendula

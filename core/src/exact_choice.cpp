@@ -1,17 +1,25 @@
-// Which of the builds of the closed form this processor can run.
-#include "pendula/drive/exact_kernels.hpp"
-#include "pendula/drive/machine.hpp"
+// Which of the builds of the closed form this processor runs.
+#include "pendula/kernels/exact_kernels.hpp"
+#include "pendula/kernels/machine.hpp"
 
-namespace pendula_kernels {
+namespace pendula {
+
+namespace plain {
+extern const exact_kernel exact_loops;
+}  // namespace plain
 
 #ifdef PENDULA_X86_KERNELS
-extern const exact exact_plain, exact_avx2, exact_avx512;
-static const exact* const kernels[] = {&exact_plain, &exact_avx2, &exact_avx512};
+namespace avx2 {
+extern const exact_kernel exact_loops;
+}  // namespace avx2
+namespace avx512 {
+extern const exact_kernel exact_loops;
+}  // namespace avx512
+static const exact_kernel* const kernels[] = {&plain::exact_loops, &avx2::exact_loops, &avx512::exact_loops};
 #else
-extern const exact exact_plain;
-static const exact* const kernels[] = {&exact_plain};
+static const exact_kernel* const kernels[] = {&plain::exact_loops};
 #endif
 
-std::span<const exact* const> all_exact() { return built_for_here(kernels); }
+std::span<const exact_kernel* const> all_exact() { return built_for_here(kernels); }
 
-}  // namespace pendula_kernels
+}  // namespace pendula

@@ -1,11 +1,11 @@
-#include "pendula/drive/machine.hpp"
+#include "pendula/kernels/machine.hpp"
 
 #include <cstdlib>
 #include <iterator>
 #include <stdexcept>
 #include <string>
 
-namespace pendula_kernels {
+namespace pendula {
 
 namespace {
 
@@ -37,4 +37,4 @@ machine machine_here() {
   return here;
 }
 
-}  // namespace pendula_kernels
+}  // namespace pendula

@@ -56,7 +56,7 @@ struct outputs {
 template <class Sys>
 outputs<Sys> run(const Sys& system, const typename Sys::state& y, std::vector<double> times, double log2_of_tolerance) {
   pendula::dop853_stepper<Sys> stepper(system, log2_of_tolerance);
-  stepper.start(y);
+  stepper.start(0.0, y);
   keeper<typename Sys::state> kept{times};
   const auto result = pendula::adaptive_run(stepper, 0.0, times.back()).to_end(1000000, kept, always);
   typename Sys::state none;

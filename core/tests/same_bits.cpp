@@ -52,7 +52,7 @@ void run(std::size_t form, int first, std::vector<std::vector<double>>& numbers)
   const auto keep = [&](const S& x) {
     for (int l = 0; l < width; ++l) numbers[static_cast<std::size_t>(first + l)].push_back(lane(x, l));
   };
-  fixed_run<Method, Sys>(system, start, 0.01, 100000)
+  fixed_run<Method, Sys>(system, start, 0.0, 0.01, 100000)
       .through(
           outputs,
           [&](std::size_t, const auto& y) {
@@ -85,7 +85,7 @@ std::uint64_t hash_of_catalogue() {
 
 constexpr event every_kind_of_event[] = {{event_kind::angle, 0, 0.3},
                                          {event_kind::angle, 0, 3.141592653589793, 1.2246467991473532e-16, true, 1},
-                                         {event_kind::velocity, 0},
+                                         {event_kind::velocity_zero, 0},
                                          {event_kind::tip_height, 0, -0.4}};
 
 // Outputs and events of the adaptive methods' runs, through the lanes or one by one.
@@ -102,7 +102,7 @@ void adaptive_runs(hash& all) {
           typename Method::template stepper<Sys> stepper(Entry::template make<double>(0, p.data()), log2_of_tolerance);
           typename Sys::state start;
           for (std::size_t k = 0; k < start.size(); ++k) start[k] = component_of(i, k);
-          stepper.start(start);
+          stepper.start(0.0, start);
           return stepper;
         };
         std::vector<std::vector<double>> numbers(trajectories);
@@ -136,7 +136,7 @@ void outputs_and_events(hash& all) {
         typename Method::template stepper<Sys> stepper(Entry::template make<double>(0, p.data()), -52.0);
         typename Sys::state start;
         for (std::size_t k = 0; k < start.size(); ++k) start[k] = component_of(1, k);
-        stepper.start(start);
+        stepper.start(0.0, start);
         run_alone(stepper, end, every_kind_of_event, numbers);
       }
     });

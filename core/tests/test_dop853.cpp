@@ -67,11 +67,11 @@ BOOST_AUTO_TEST_CASE(a_step_of_dop853_is_of_order_8_and_its_dense_output_of_orde
   const rods::state y{1.0, -0.5, 0.3, 0.2};
   const auto error = [&](double h, double part) {  // of one step, a part of it on
     dop853_stepper<rods> stepper(system, -10.0);
-    stepper.start(y);
+    stepper.start(0.0, y);
     auto from = stepper.remembered();
     from.step = h;
     stepper.resume(from);
-    stepper.expand(1.0);
+    stepper.expand({0.0, 0.0}, 1.0);
     BOOST_REQUIRE(stepper.length() == h);
     return distance(stepper.after(part * h).head, run(system, y, {part * h}, -53.0).states[0]);
   };

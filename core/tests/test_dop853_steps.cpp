@@ -9,9 +9,9 @@ using namespace pendula;
 BOOST_AUTO_TEST_CASE(the_polynomials_of_a_step_are_its_dense_output) {
   const auto system = double_pendulum::make<double>(0, of_rods);
   dop853_stepper<rods> stepper(system, -40.0);
-  stepper.start({2.0, 2.5, 0.0, 0.0});
+  stepper.start(0.0, {2.0, 2.5, 0.0, 0.0});
   for (int n = 0; n < 20; ++n) {
-    stepper.expand(1.0);
+    stepper.expand({0.0, 0.0}, 1.0);
     const auto next = stepper.after(stepper.length());
     for (const double x : {0.0, 0.2, 0.7, 0.999999, 1.0}) {
       const auto y = stepper.state_of(stepper.after(x * stepper.length()));
@@ -31,7 +31,7 @@ BOOST_AUTO_TEST_CASE(the_polynomials_of_a_step_are_its_dense_output) {
 BOOST_AUTO_TEST_CASE(events_are_found_inside_the_steps_of_dop853) {
   const auto system = linear_pendulum::make<double>(0, unit);
   dop853_stepper<harmonic> stepper(system, -46.0);
-  stepper.start({1.0, 0.0});
+  stepper.start(0.0, {1.0, 0.0});
   notebook found;
   const event passes_zero[] = {{event_kind::angle}};
   adaptive_run(stepper, 0.0, 30.0, passes_zero).to_end(1000000, found, always);
@@ -52,19 +52,19 @@ BOOST_AUTO_TEST_CASE(lanes_of_dop853_carry_the_bits_of_scalar_runs) {
   for (lanes4& x : start)
     for (int l = 0; l < 4; ++l) set_lane(x, l, angle(random) * (l == 3 ? 1e-4 : 1.0));
   dop853_stepper<abreast> together(system, -30.0);
-  together.start(start);
+  together.start(0.0, start);
   std::vector<dop853_stepper<rods>> each(4, dop853_stepper<rods>(alone, -30.0));
   for (int l = 0; l < 4; ++l)
-    each[l].start({lane(start[0], l), lane(start[1], l), lane(start[2], l), lane(start[3], l)});
+    each[l].start(0.0, {lane(start[0], l), lane(start[1], l), lane(start[2], l), lane(start[3], l)});
   for (int n = 0; n < 300; ++n) {
-    together.expand(1.0);
+    together.expand({0.0, 0.0}, 1.0);
     const auto next = together.after(together.length());
     lanes4 tau = lanes4(0.4) * together.length();
     set_lane(tau, 2, lane(together.length(), 2));
     const auto within = together.after(tau);
     int different = 0;
     for (int l = 0; l < 4; ++l) {
-      each[l].expand(1.0);
+      each[l].expand({0.0, 0.0}, 1.0);
       different += each[l].length() != lane(together.length(), l);
       const auto own = each[l].after(each[l].length()), own_within = each[l].after(lane(tau, l));
       for (std::size_t i = 0; i < 4; ++i) {
@@ -86,10 +86,10 @@ BOOST_AUTO_TEST_CASE(a_resumed_run_of_dop853_repeats_the_bits) {
   static_assert(sizeof(stepper_of_rods::memory) % sizeof(double) == 0);
   const auto system = double_pendulum::make<double>(0, of_rods);
   stepper_of_rods first(system, -45.0);
-  first.start({2.0, 2.5, 0.0, 0.0});
+  first.start(0.0, {2.0, 2.5, 0.0, 0.0});
   const auto advance = [](stepper_of_rods& stepper, int steps) {
     for (int n = 0; n < steps; ++n) {
-      stepper.expand(1.0);
+      stepper.expand({0.0, 0.0}, 1.0);
       stepper.proceed(stepper.after(stepper.length()));
     }
   };
@@ -116,11 +116,11 @@ BOOST_AUTO_TEST_CASE(steps_of_dop853_are_rejected_and_made_again) {
   BOOST_TEST(distance(rough.states[0], exact.states[0]) < 1.0);  // of 25
   // a first step that is much too long
   dop853_stepper<rods> stepper(system, -10.0);
-  stepper.start(y);
+  stepper.start(0.0, y);
   auto from = stepper.remembered();
   from.step = 5.0;
   stepper.resume(from);
-  stepper.expand(1.0);
+  stepper.expand({0.0, 0.0}, 1.0);
   BOOST_TEST(stepper.evaluations() > 1 + 12 + 2 * 11);
   BOOST_TEST(stepper.length() < 0.1);
 }

@@ -29,7 +29,7 @@ BOOST_AUTO_TEST_CASE(rods_move_as_the_paper_says_once_corrected) {
   for (int i = 0; i < 1000; ++i) {
     const double p[] = {size(random), size(random), size(random), size(random), 3.0 * size(random)};
     const over::state y{angle(random), angle(random), speed(random), speed(random)};
-    const auto rhs = double_pendulum::make<double>(0, p).rhs(y);
+    const auto rhs = double_pendulum::make<double>(0, p).rhs(0.0, y);
     const auto want = accelerations_as_printed(p, y);
     const double scale = 1.0 + std::fabs(want[0]) + std::fabs(want[1]);
     BOOST_TEST(std::fabs(rhs[2] - want[0]) < 1e-13 * scale);
@@ -63,7 +63,7 @@ BOOST_AUTO_TEST_CASE(a_light_upper_bob_loses_no_digits_of_the_determinant) {
 BOOST_AUTO_TEST_CASE(rk4_reaches_the_reference) {
   const double p[] = {1, 1, 1, 1, 9.81};
   const auto system = double_pendulum::make<double>(0, p);
-  pendula::fixed_run<pendula::rk4, over> run(system, {2.0, 2.5, 0.0, 0.0}, 1e-4, 100000);
+  pendula::fixed_run<pendula::rk4, over> run(system, {2.0, 2.5, 0.0, 0.0}, 0.0, 1e-4, 100000);
   over::state at_five{};
   const pendula::fixed_output outputs[] = {{50000, 0.0}};
   run.through(outputs, [&](std::size_t, const over::state& y) { at_five = y; }, [](auto) { return true; });

@@ -2,9 +2,9 @@
 #include <cstring>
 #include <vector>
 
-#include "pendula/drive/exact.hpp"
-#include "pendula/drive/machine.hpp"
 #include "pendula/exact/simple_times.hpp"
+#include "pendula/kernels/exact.hpp"
+#include "pendula/kernels/machine.hpp"
 #include "random.hpp"
 
 using pendula::exact_outcome;
@@ -33,7 +33,7 @@ bool same(const std::vector<double>& a, const std::vector<double>& b) {
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(every_machine_and_every_number_of_points_gives_the_same_bits) {
-  const auto all = pendula_kernels::all_exact();
+  const auto all = pendula::all_exact();
   const std::vector<double> times{-3.0, 0.0, 0.1, 7.0, 1e3, 1e8, -4e8, 2.0, 5.0, 3e9, 1e12};
   for (std::size_t count : {1, 2, 5, 16, 37}) {
     const auto states = some_states(count);
@@ -44,7 +44,7 @@ BOOST_AUTO_TEST_CASE(every_machine_and_every_number_of_points_gives_the_same_bit
     pendula::exact_linear(*all[0], asked, linear.data(), always);
     for (std::size_t machine = 0; machine < all.size(); ++machine) {
       const auto* const kernels = all[machine];
-      const auto name = pendula_kernels::machine_names[machine];
+      const auto name = pendula::machine_names[machine];
       pendula::exact_linear(*kernels, asked, out.data(), always);
       BOOST_TEST(same(out, linear), name << " linear " << count);
       pendula::exact_simple(*kernels, asked, out.data(), always);
@@ -59,7 +59,7 @@ BOOST_AUTO_TEST_CASE(every_machine_and_every_number_of_points_gives_the_same_bit
 }
 
 BOOST_AUTO_TEST_CASE(what_is_too_large_is_refused) {
-  const auto& kernels = *pendula_kernels::all_exact().back();
+  const auto& kernels = *pendula::all_exact().back();
   const double far = 1e62, near = 1.0, states[] = {1.0, 0.0, 1e16, 0.0};
   double out[4];
   BOOST_TEST(
@@ -73,7 +73,7 @@ BOOST_AUTO_TEST_CASE(what_is_too_large_is_refused) {
 }
 
 BOOST_AUTO_TEST_CASE(work_stops_when_asked_to) {
-  const auto& kernels = *pendula_kernels::all_exact().back();
+  const auto& kernels = *pendula::all_exact().back();
   const auto states = some_states(1);
   const std::vector<double> times(200000, 1.0);
   std::vector<double> out(2 * times.size(), -1.0);
@@ -102,7 +102,7 @@ BOOST_AUTO_TEST_CASE(a_release_next_to_the_top_falls) {
   const double top = 3.141592653589793;  // is below π
   const double quarter = 0.25 * pendula::simple_period(1.0, 9.81, top, 0.0), states[] = {top, 0.0};
   double out[2];
-  pendula::exact_simple(*pendula_kernels::all_exact().back(), {1.0, 9.81, states, 1, &quarter, 1, 0.0}, out, always);
+  pendula::exact_simple(*pendula::all_exact().back(), {1.0, 9.81, states, 1, &quarter, 1, 0.0}, out, always);
   BOOST_TEST(std::fabs(out[0]) < 1e-14);
   BOOST_TEST(std::fabs(out[1] + 2.0 * std::sqrt(9.81)) < 1e-14);
 }

@@ -50,7 +50,7 @@ BOOST_AUTO_TEST_CASE(tableaux_satisfy_the_conditions_of_their_order_and_no_more)
 BOOST_AUTO_TEST_CASE(a_step_is_what_the_paper_writes) {
   const double p[] = {0.8, 9.81, 1.0}, h = 0.05;
   const auto system = pendula::simple_pendulum::make<double>(0, p);
-  const auto f = [&](std::array<double, 2> u) { return system.rhs(u); };
+  const auto f = [&](std::array<double, 2> u) { return system.rhs(0.0, u); };
   const std::array<double, 2> u0{1.2, -0.4};
   const auto plus = [](std::array<double, 2> u, double c, std::array<double, 2> k) {
     return std::array<double, 2>{u[0] + c * k[0], u[1] + c * k[1]};
@@ -60,8 +60,8 @@ BOOST_AUTO_TEST_CASE(a_step_is_what_the_paper_writes) {
   const auto k2 = f(plus(u0, h / 2, k1)), k3 = f(plus(u0, h / 2, k2)), k4 = f(plus(u0, h, k3));
   const auto rk4 = plus(plus(plus(plus(u0, h / 6, k1), h / 3, k2), h / 3, k3), h / 6, k4);  // (56)
   for (int i = 0; i < 2; ++i) {
-    BOOST_TEST(std::abs(pendula::euler::step(system, u0, h)[i] - euler[i]) < 1e-15);
-    BOOST_TEST(std::abs(pendula::heun::step(system, u0, h)[i] - heun[i]) < 1e-15);
-    BOOST_TEST(std::abs(pendula::rk4::step(system, u0, h)[i] - rk4[i]) < 1e-15);
+    BOOST_TEST(std::abs(pendula::euler::step(system, 0.0, u0, h)[i] - euler[i]) < 1e-15);
+    BOOST_TEST(std::abs(pendula::heun::step(system, 0.0, u0, h)[i] - heun[i]) < 1e-15);
+    BOOST_TEST(std::abs(pendula::rk4::step(system, 0.0, u0, h)[i] - rk4[i]) < 1e-15);
   }
 }

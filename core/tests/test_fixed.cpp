@@ -49,19 +49,19 @@ BOOST_AUTO_TEST_CASE(a_shortened_step_leaves_the_grid_alone) {
   const auto system = linear_pendulum::make<double>(0, unit);
   const fixed_output with[] = {{3, 0.004}, {10, 0.0}}, without[] = {{10, 0.0}};
   harmonic::state a{}, b{};
-  fixed_run<rk4, harmonic>(system, {1.0, 0.0}, 0.01, 100).through(with, [&](auto, auto& y) { a = y; }, always);
-  fixed_run<rk4, harmonic>(system, {1.0, 0.0}, 0.01, 100).through(without, [&](auto, auto& y) { b = y; }, always);
+  fixed_run<rk4, harmonic>(system, {1.0, 0.0}, 0.0, 0.01, 100).through(with, [&](auto, auto& y) { a = y; }, always);
+  fixed_run<rk4, harmonic>(system, {1.0, 0.0}, 0.0, 0.01, 100).through(without, [&](auto, auto& y) { b = y; }, always);
   BOOST_TEST((a == b));
 }
 
 BOOST_AUTO_TEST_CASE(a_run_stops_at_its_step_limit_and_keeps_what_it_reached) {
   const auto system = linear_pendulum::make<double>(0, unit);
   const fixed_output outputs[] = {{5, 0.0}, {9, 0.005}, {20, 0.0}};
-  const auto result = fixed_run<rk4, harmonic>(system, {1.0, 0.0}, 0.01, 10).through(outputs, nowhere, always)[0];
+  const auto result = fixed_run<rk4, harmonic>(system, {1.0, 0.0}, 0.0, 0.01, 10).through(outputs, nowhere, always)[0];
   BOOST_TEST(name_of(result.ended) == "step_limit");
   BOOST_TEST(result.outputs == 2u);
   BOOST_TEST(result.steps == 10);
-  const auto enough = fixed_run<rk4, harmonic>(system, {1.0, 0.0}, 0.01, 21).through(outputs, nowhere, always)[0];
+  const auto enough = fixed_run<rk4, harmonic>(system, {1.0, 0.0}, 0.0, 0.01, 21).through(outputs, nowhere, always)[0];
   BOOST_TEST(name_of(enough.ended) == "reached_end");
   BOOST_TEST(enough.steps == 21);
 }
@@ -70,7 +70,7 @@ BOOST_AUTO_TEST_CASE(a_run_that_blows_up_says_so) {
   const double rods[] = {1, 1, 1, 1, 9.81};
   const auto system = double_pendulum::make<double>(0, rods);
   const fixed_output outputs[] = {{0, 0.0}, {1, 0.0}, {1000, 0.0}};
-  const auto result = fixed_run<euler, double_pendulum::over<double>>(system, {2.0, 1.0, 0.0, 0.0}, 1.0, 10000)
+  const auto result = fixed_run<euler, double_pendulum::over<double>>(system, {2.0, 1.0, 0.0, 0.0}, 0.0, 1.0, 10000)
                           .through(outputs, nowhere, always)[0];
   BOOST_TEST(name_of(result.ended) == "not_finite");
   BOOST_TEST(result.outputs == 2u);
@@ -82,7 +82,8 @@ BOOST_AUTO_TEST_CASE(a_run_can_be_interrupted) {
   const fixed_output outputs[] = {{1, 0.0}, {1000000, 0.0}};
   std::int64_t told = 0;
   const auto twice = [&](std::int64_t steps) { return (told = steps) < 3 * (1 << 14); };
-  const auto result = fixed_run<rk4, harmonic>(system, {1.0, 0.0}, 1e-3, 10000000).through(outputs, nowhere, twice)[0];
+  const auto result =
+      fixed_run<rk4, harmonic>(system, {1.0, 0.0}, 0.0, 1e-3, 10000000).through(outputs, nowhere, twice)[0];
   BOOST_TEST(told == result.steps);
   BOOST_TEST(name_of(result.ended) == "interrupted");
   BOOST_TEST(result.steps == 3 * (1 << 14));
@@ -99,8 +100,8 @@ BOOST_AUTO_TEST_CASE(a_bad_lane_does_not_disturb_its_neighbours) {
   set_lane(start[2], 1, 100.0);
   set_lane(start[0], 3, std::nan(""));
   const fixed_output outputs[] = {{1, 0.0}, {200000, 0.0}};
-  const auto results =
-      fixed_run<rk4, rods>(system, start, 1e-3, 1 << 20).through(outputs, [&](auto, auto& y) { last = y; }, always);
+  const auto results = fixed_run<rk4, rods>(system, start, 0.0, 1e-3, 1 << 20)
+                           .through(outputs, [&](auto, auto& y) { last = y; }, always);
   BOOST_TEST(name_of(results[0].ended) == "reached_end");
   BOOST_TEST(name_of(results[1].ended) == "not_finite");
   BOOST_TEST(results[1].outputs == 1u);

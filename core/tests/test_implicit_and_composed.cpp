@@ -72,8 +72,8 @@ BOOST_AUTO_TEST_CASE(the_midpoint_rule_is_the_midpoint_rule) {
   const double p[] = {0.8, 9.81, 1.0}, h = 0.05;
   const auto system = simple_pendulum::make<double>(0, p);
   const std::array<double, 2> before{1.2, -0.4};
-  const auto after = midpoint::state_of(system, midpoint::step(system, midpoint::begin(system, before), h));
-  const auto slope = system.rhs({0.5 * (before[0] + after[0]), 0.5 * (before[1] + after[1])});
+  const auto after = midpoint::state_of(system, midpoint::step(system, 0.0, midpoint::begin(system, before), h));
+  const auto slope = system.rhs(0.0, {0.5 * (before[0] + after[0]), 0.5 * (before[1] + after[1])});
   for (int i = 0; i < 2; ++i) BOOST_TEST(std::fabs(after[i] - before[i] - h * slope[i]) < 3e-16);
 }
 
@@ -88,13 +88,13 @@ BOOST_AUTO_TEST_CASE(a_lane_that_has_settled_waits_for_no_one) {
   const auto system = double_pendulum::make<lanes4>(0, p);
   const fixed_output outputs[] = {{3, 0.004}, {20000, 0.0}};
   together::state last{};
-  const auto results = fixed_run<gauss8, together>(system, {2.0, 2.5, 0.0, 0.0}, 0.02, 30000)
+  const auto results = fixed_run<gauss8, together>(system, {2.0, 2.5, 0.0, 0.0}, 0.0, 0.02, 30000)
                            .through(outputs, [&](auto, auto& y) { last = y; }, always);
   for (int l = 0; l < 4; ++l) {
     const double single[] = {1.0, 1.0, sizes[l], sizes[l], 9.81};
     const auto its_own = double_pendulum::make<double>(0, single);
     alone::state end{};
-    const auto result = fixed_run<gauss8, alone>(its_own, {2.0, 2.5, 0.0, 0.0}, 0.02, 30000)
+    const auto result = fixed_run<gauss8, alone>(its_own, {2.0, 2.5, 0.0, 0.0}, 0.0, 0.02, 30000)
                             .through(outputs, [&](auto, auto& y) { end = y; }, always)[0];
     BOOST_TEST(name_of(results[l].ended) == name_of(result.ended));
     BOOST_TEST(results[l].evaluations == result.evaluations);
@@ -111,17 +111,20 @@ BOOST_AUTO_TEST_CASE(evaluations_are_counted) {
   using harmonic = linear_pendulum::over<double>;
   const fixed_output outputs[] = {{5, 0.05}, {9, 0.0}};
   const auto count = [&]<class Method>(Method) {
-    return fixed_run<Method, harmonic>(system, {1.0, 0.0}, 0.1, 100).through(outputs, nowhere, always)[0].evaluations;
+    return fixed_run<Method, harmonic>(system, {1.0, 0.0}, 0.0, 0.1, 100)
+        .through(outputs, nowhere, always)[0]
+        .evaluations;
   };
   BOOST_TEST(count(rk4{}) == 40);
   BOOST_TEST(count(yoshida8{}) == 150);
   // at rest the first round is the last
   const fixed_output ten[] = {{10, 0.0}};
-  const auto resting = fixed_run<gauss6, harmonic>(system, {0.0, 0.0}, 0.1, 100).through(ten, nowhere, always)[0];
+  const auto resting = fixed_run<gauss6, harmonic>(system, {0.0, 0.0}, 0.0, 0.1, 100).through(ten, nowhere, always)[0];
   BOOST_TEST(resting.evaluations == 3 * 10);
   const fixed_output on_grid[] = {{9, 0.0}}, off_grid[] = {{5, 0.05}, {9, 0.0}};
-  const auto grid = fixed_run<gauss6, harmonic>(system, {1.0, 0.0}, 0.1, 100).through(on_grid, nowhere, always)[0];
-  const auto more = fixed_run<gauss6, harmonic>(system, {1.0, 0.0}, 0.1, 100).through(off_grid, nowhere, always)[0];
+  const auto grid = fixed_run<gauss6, harmonic>(system, {1.0, 0.0}, 0.0, 0.1, 100).through(on_grid, nowhere, always)[0];
+  const auto more =
+      fixed_run<gauss6, harmonic>(system, {1.0, 0.0}, 0.0, 0.1, 100).through(off_grid, nowhere, always)[0];
   BOOST_TEST(more.evaluations > grid.evaluations);
   BOOST_TEST(more.evaluations < 2 * grid.evaluations);
 }

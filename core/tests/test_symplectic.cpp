@@ -71,7 +71,7 @@ double distortion(const Sys& system, double h) {
     z[i].d[i] = 1.0;
   }
   auto at = Method::begin(system, system.from_canonical(z));
-  for (int i = 0; i < 5; ++i) at = Method::step(system, at, dual(h));
+  for (int i = 0; i < 5; ++i) at = Method::step(system, dual(0.0), at, dual(h));
   const auto end = system.canonical(Method::state_of(system, at));
   double largest = 0.0;
   for (std::size_t a = 0; a < 2 * n; ++a)

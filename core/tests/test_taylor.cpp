@@ -5,6 +5,9 @@
 #include "pendula/drive/lanes.hpp"
 #include "pendula/method/taylor.hpp"
 #include "pendula/scalar/wide_sincos.hpp"
+#include "pendula/system/double_pendulum.hpp"
+#include "pendula/system/linear_pendulum.hpp"
+#include "pendula/system/simple_pendulum.hpp"
 
 using namespace pendula;
 
@@ -41,7 +44,7 @@ auto states_at(const double* parameters, const std::vector<double>& start, doubl
   taylor_stepper<Sys> stepper(Entry::template make<S>(0, p.data()), log2_of_tolerance);
   typename Sys::state y;
   for (std::size_t i = 0; i < y.size(); ++i) y[i] = S(start[i]);
-  stepper.start(y);
+  stepper.start(0.0, y);
   using run = adaptive_run<taylor_stepper<Sys>>;
   at_times<run> told{times};
   const auto result = run(stepper, t0, times.back()).to_end(1 << 20, told, always);
@@ -120,7 +123,7 @@ BOOST_AUTO_TEST_CASE(orders_that_vanish_do_not_lengthen_the_step) {
       using Sys = double_pendulum::over<double>;
       const Sys system = double_pendulum::make<double>(form, equal_rods);
       taylor_stepper<Sys> stepper(system, -52.0);
-      stepper.start({half_pi, second, 0.0, 0.0});
+      stepper.start(0.0, {half_pi, second, 0.0, 0.0});
       using run = adaptive_run<taylor_stepper<Sys>>;
       at_times<run> told{{0.2, 0.4, 3.0}};
       run(stepper, 0.0, 3.0).to_end(1 << 20, told, always);
@@ -146,7 +149,7 @@ BOOST_AUTO_TEST_CASE(a_run_that_is_taken_up_repeats_its_bits) {
   using Sys = double_pendulum::over<double>;
   using run = adaptive_run<taylor_stepper<Sys>>;
   taylor_stepper<Sys> stepper(double_pendulum::make<double>(0, equal_rods), -52.0);
-  stepper.start({2.0, 2.5, 0.0, 0.0});
+  stepper.start(0.0, {2.0, 2.5, 0.0, 0.0});
   struct keeper {
     run::point_in_time time{};
     taylor_stepper<Sys>::memory memory{};
@@ -171,7 +174,7 @@ BOOST_AUTO_TEST_CASE(angles_beyond_the_sine_end_a_run) {
   using Sys = simple_pendulum::over<double>;
   const double unit[] = {1.0, 9.81, 1.0};
   taylor_stepper<Sys> stepper(simple_pendulum::make<double>(0, unit), -52.0);
-  stepper.start({0x1p26 - 1.0, 1000.0});
+  stepper.start(0.0, {0x1p26 - 1.0, 1000.0});
   using run = adaptive_run<taylor_stepper<Sys>>;
   at_times<run> told{{0.0005, 1.0}};
   const auto result = run(stepper, 0.0, 1.0).to_end(1 << 20, told, always);
@@ -196,7 +199,7 @@ BOOST_AUTO_TEST_CASE(every_lane_has_the_bits_of_a_run_of_its_own) {
 
     std::size_t next(One& stepper) {
       if (taken == count) return no_trajectory;
-      stepper.start(start(taken));
+      stepper.start(0.0, start(taken));
       return taken++;
     }
     void output(std::size_t n, std::size_t place, const vec<double, 4>& y) {
@@ -216,7 +219,7 @@ BOOST_AUTO_TEST_CASE(every_lane_has_the_bits_of_a_run_of_its_own) {
   feed trajectories{start_of};
   lanes_run<Lanes, One, feed>(lanes, one, task, trajectories).all();
   for (std::size_t n = 0; n < count; ++n) {
-    one.start(start_of(n));
+    one.start(0.0, start_of(n));
     using run = adaptive_run<One>;
     at_times<run> told{times};
     trajectories.steps -= run(one, 0.0, 3.0).to_end(1 << 20, told, always).steps;

@@ -4,6 +4,9 @@
 #include "pendula/drive/adaptive.hpp"
 #include "pendula/method/taylor.hpp"
 #include "pendula/scalar/multiprecision.hpp"
+#include "pendula/system/double_pendulum.hpp"
+#include "pendula/system/linear_pendulum.hpp"
+#include "pendula/system/simple_pendulum.hpp"
 
 using namespace pendula;
 
@@ -13,7 +16,7 @@ BOOST_AUTO_TEST_CASE(fifty_digits_reach_the_check_value) {
   using Sys = double_pendulum::over<S>;
   const S rods[] = {S(1.0), S(1.0), S(1.0), S(1.0), S(9.81)};
   taylor_stepper<Sys> stepper(double_pendulum::make<S>(0, rods), -166.0);
-  stepper.start({S(2.0), S(2.5), S(0.0), S(0.0)});
+  stepper.start(S(0.0), {S(2.0), S(2.5), S(0.0), S(0.0)});
   using run = adaptive_run<taylor_stepper<Sys>>;
   struct last_state {
     Sys::state y{};

@@ -3,7 +3,8 @@
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <boost/test/unit_test.hpp>
 
-#include "pendula/drive/trust.hpp"
+#include "pendula/drive/divergence.hpp"
+#include "pendula/kernels/shadow_kernels.hpp"
 #include "pendula/scalar/compensated.hpp"
 #include "pendula/scalar/long_sincos.hpp"
 #include "random.hpp"
@@ -40,34 +41,36 @@ number random_number(random_numbers& random) {
 }
 
 // The shadow of a pendulum that hangs still, in steps of 0.3.
-struct at_rest : pendula_kernels::shadow {
+struct at_rest : pendula::shadow {
   double end = 0.3;
   void proceed() override { end += 0.3; }
-  pendula_kernels::two_doubles step_end() const override { return {end, 0.0}; }
-  void angles(pendula_kernels::two_doubles time, pendula_kernels::two_doubles* to) const override {
+  pendula::two_doubles step_end() const override { return {end, 0.0}; }
+  void angles(pendula::two_doubles time, pendula::two_doubles* to) const override {
     BOOST_TEST(time.head <= end + 1e-12);
     BOOST_TEST(time.head >= end - 0.3 - 1e-12);
     to[0] = to[1] = {0.0, 0.0};
   }
 };
 
+using detector = divergence_detector<pendula::shadow>;
+
 // A run in steps of 0.5 whose second angle is that function of time.
-struct wandering {
+struct prescribed_run {
   using point = compensated_point<std::array<double, 4>>;
   double (*angle)(double);
   compensated_point<std::array<double, 1>> start{{{0.0}}, {{0.0}}};
 
-  const wandering& stepper() const { return *this; }
+  const prescribed_run& stepper() const { return *this; }
   const auto& time() const { return start; }
   point after(double tau) const { return {{0.0, angle(start.head[0] + tau), 0.0, 0.0}, {}}; }
 };
 
-double parting_of(double (*angle)(double), double tolerance) {
+double divergence_of(double (*angle)(double), double tolerance) {
   at_rest beside;
-  const parting::poll always = [](double) { return true; };
-  parting from(beside, tolerance, 1.0, always);
-  for (wandering run{angle}; run.start.head[0] < 20.0; run.start.head[0] += 0.5)
-    if (const double right = from.right_in_step(run, 0.5); right != 0.5) return run.start.head[0] + right;
+  const detector::poll always = [](double) { return true; };
+  detector diverging(beside, tolerance, 1.0, always);
+  for (prescribed_run run{angle}; run.start.head[0] < 20.0; run.start.head[0] += 0.5)
+    if (const double right = diverging.right_in_step(run, 0.5); right != 0.5) return run.start.head[0] + right;
   return -1.0;
 }
 
@@ -78,9 +81,9 @@ BOOST_AUTO_TEST_CASE(a_shadow_that_stands_still_or_is_stopped_is_not_waited_for)
     void proceed() override {}
   } stuck;
   at_rest beside;
-  const parting::poll always = [](double) { return true; }, never = [](double) { return false; };
+  const detector::poll always = [](double) { return true; }, never = [](double) { return false; };
   const std::array<double, 4> still{};
-  parting from_stuck(stuck, 1.0, 1.0, always), stopped(beside, 1.0, 1.0, never);
+  detector from_stuck(stuck, 1.0, 1.0, always), stopped(beside, 1.0, 1.0, never);
   BOOST_TEST(from_stuck.right(wide<double>(0.2), still));
   BOOST_TEST(!from_stuck.right(wide<double>(1e9), still));
   BOOST_TEST(!from_stuck.stopped());
@@ -128,13 +131,13 @@ BOOST_AUTO_TEST_CASE(long_sines_keep_their_digits) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(a_parting_is_found_where_it_is) {
+BOOST_AUTO_TEST_CASE(a_divergence_is_found_where_it_is) {
   const auto growing = [](double t) { return 1e-16 * std::exp(2.0 * t); };
   for (const double tolerance : {1e-12, 1e-6, 1e-3, 1.0})
-    BOOST_TEST(std::fabs(parting_of(growing, tolerance) - 0.5 * std::log(tolerance / 1e-16)) < 1e-9);
+    BOOST_TEST(std::fabs(divergence_of(growing, tolerance) - 0.5 * std::log(tolerance / 1e-16)) < 1e-9);
   // shorter than a step, and back again before its end
   const auto bump = [](double t) { return std::exp(-200.0 * (t - 7.23) * (t - 7.23)); };
-  BOOST_TEST(std::fabs(parting_of(bump, 0.5) - (7.23 - std::sqrt(std::log(2.0) / 200.0))) < 1e-9);
-  BOOST_TEST(parting_of([](double t) { return t > 3.7 ? __builtin_nan("") : 0.0; }, 0.5) > 3.69);
-  BOOST_TEST(parting_of([](double) { return 0.1; }, 0.5) == -1.0);
+  BOOST_TEST(std::fabs(divergence_of(bump, 0.5) - (7.23 - std::sqrt(std::log(2.0) / 200.0))) < 1e-9);
+  BOOST_TEST(divergence_of([](double t) { return t > 3.7 ? __builtin_nan("") : 0.0; }, 0.5) > 3.69);
+  BOOST_TEST(divergence_of([](double) { return 0.1; }, 0.5) == -1.0);
 }

@@ -4,6 +4,7 @@
 
 #include <tuple>
 
+#include "pendula/facets.hpp"
 #include "pendula/method/dop853.hpp"
 #include "pendula/method/euler.hpp"
 #include "pendula/method/gauss4.hpp"
@@ -22,7 +23,7 @@
 #include "pendula/system/linear_pendulum.hpp"
 #include "pendula/system/simple_pendulum.hpp"
 
-namespace pendula {
+namespace pendula::inline PENDULA_MACHINE {
 
 using systems = std::tuple<linear_pendulum, simple_pendulum, double_pendulum>;
 using fixed_methods = std::tuple<euler, heun, rk4, symplectic_euler, verlet, yoshida4, yoshida6, yoshida8, midpoint,
@@ -52,19 +53,46 @@ bool with(std::string_view name, Visitor&& visit) {
 
 // Whether the method takes the system; both are entries of the lists.
 template <class Method, class Entry>
-inline constexpr bool takes = Method::template takes<typename Entry::template over<double>>;
+inline constexpr bool takes = Takes<Method, typename Entry::template over<double>>;
+
+// An entry of the list of systems: name, parameter rows, capabilities, and the system over any scalar.
+template <class T>
+concept SystemEntry = Flow<typename T::template over<double>> && Energetic<typename T::template over<double>> &&
+                      Positioned<typename T::template over<double>> &&
+                      requires(const double* p, const typename T::template over<double>& system) {
+                        { T::name } -> std::convertible_to<std::string_view>;
+                        { T::components[0] } -> std::convertible_to<component>;
+                        { T::forms[0] } -> std::convertible_to<form>;
+                        { T::can } -> std::convertible_to<capabilities>;
+                        {
+                          T::template make<double>(std::size_t{}, p)
+                        } -> std::same_as<typename T::template over<double>>;
+                        { system.constants()[0] } -> std::convertible_to<constant<double>>;
+                      };
+
+// An entry of the list of methods. One that iterates has no fixed number of evaluations and says 0.
+template <class T>
+concept MethodEntry = requires {
+  { T::name } -> std::convertible_to<std::string_view>;
+  { T::order } -> std::convertible_to<int>;
+  { T::evaluations_per_step } -> std::convertible_to<int>;
+  { T::adaptive } -> std::convertible_to<bool>;
+  { T::symplectic } -> std::convertible_to<bool>;
+  { T::needs } -> std::convertible_to<facet>;
+  { T::source } -> std::convertible_to<std::string_view>;
+};
 
 namespace detail {
 template <class... Entries>
 constexpr bool all_systems(std::type_identity<std::tuple<Entries...>>) {
-  return (System<Entries> && ...);
+  return (SystemEntry<Entries> && ...);
 }
 template <class... Entries>
 constexpr bool all_methods(std::type_identity<std::tuple<Entries...>>) {
-  return (Method<Entries> && ...);
+  return (MethodEntry<Entries> && ...);
 }
 }  // namespace detail
 static_assert(detail::all_systems(std::type_identity<systems>{}));
 static_assert(detail::all_methods(std::type_identity<methods>{}));
 
-}  // namespace pendula
+}  // namespace pendula::inline PENDULA_MACHINE

@@ -1,4 +1,4 @@
-// What a scalar, a system and a method are. Everything else in the core is written against these three.
+// What a scalar, a system and a method are. Everything else in the core is written against these.
 #pragma once
 
 #include <array>
@@ -6,15 +6,9 @@
 #include <cstddef>
 #include <string_view>
 
-// Kernels are small and must be inlined into the loop that the compiler vectorises or pipelines; under a sanitizer
-// they are not small.
-#ifdef PENDULA_SANITIZED
-#define PENDULA_INLINE inline
-#else
-#define PENDULA_INLINE [[gnu::always_inline]] inline
-#endif
+#include "pendula/build.hpp"
 
-namespace pendula {
+namespace pendula::inline PENDULA_MACHINE {
 
 // A state is (angles…, angular velocities…), in radians and radians per second.
 template <class S, std::size_t dimension>
@@ -30,48 +24,72 @@ concept Scalar = std::constructible_from<S, double> && requires(S a, S b) {
   { -a } -> std::convertible_to<S>;
 };
 
-// A system over one scalar: constants, right-hand side and energies, and the same motion in canonical variables
-// (angles…, momenta…). Separable: H = T(p) + V(θ).
+// The facets of a system over one scalar. A method names the one it needs (facets.hpp), and each facet names every
+// member that the code behind it calls. Time is the second's plain scalar everywhere; a system that does not depend on
+// it ignores it, and pays nothing.
+
+// y' = f(t, y).
 template <class Sys>
-concept SystemOver = requires(const Sys& system, const typename Sys::state& y) {
-  { Sys::dimension } -> std::convertible_to<std::size_t>;
-  { Sys::separable } -> std::convertible_to<bool>;
-  { system.rhs(y) } -> std::same_as<typename Sys::state>;
-  { system.canonical(y) } -> std::same_as<typename Sys::state>;
-  { system.from_canonical(y) } -> std::same_as<typename Sys::state>;
-  { system.canonical_rhs(y) } -> std::same_as<typename Sys::state>;
+concept Flow =
+    Scalar<typename Sys::scalar> && std::same_as<typename Sys::state, vec<typename Sys::scalar, Sys::dimension>> &&
+    requires(const Sys& system, const typename Sys::scalar& t, const typename Sys::state& y) {
+      { system.rhs(t, y) } -> std::same_as<typename Sys::state>;
+    };
+
+// As many velocities as angles: the state's two halves.
+template <class Sys>
+concept SecondOrder = Flow<Sys> && Sys::dimension % 2 == 0;
+
+template <class Sys>
+struct halves_of {
+  static_assert(Sys::dimension % 2 == 0, "a mechanical system has as many velocities as angles: an even dimension");
+  static constexpr std::size_t size = Sys::dimension / 2;
+};
+template <class Sys>
+inline constexpr std::size_t degrees_of_freedom = halves_of<Sys>::size;
+
+// With energies, and the scales that errors and steps are measured by: an energy that is not zero, and the square of
+// the largest frequency of small oscillations.
+template <class Sys>
+concept Energetic = SecondOrder<Sys> && requires(const Sys& system, const typename Sys::state& y) {
   { system.kinetic_energy(y) } -> std::same_as<typename Sys::scalar>;
   { system.potential_energy(y) } -> std::same_as<typename Sys::scalar>;
-  system.positions(y);
-  system.constants();
+  { system.energy_scale() } -> std::same_as<typename Sys::scalar>;
+  { system.largest_frequency_squared() } -> std::same_as<typename Sys::scalar>;
 };
 
-// An entry of the catalogue's list of systems: name, parameter rows, and the system over any scalar.
-template <class T>
-concept System = SystemOver<typename T::template over<double>> && requires(const double* p) {
-  { T::name } -> std::convertible_to<std::string_view>;
-  T::components;
-  T::forms;
-  { T::template make<double>(std::size_t{}, p) } -> std::same_as<typename T::template over<double>>;
+// The same motion in canonical variables (angles…, momenta…). `configuration_at` works out once what the velocities
+// and the generalised forces need of the angles.
+template <class Sys>
+concept Mechanical =
+    SecondOrder<Sys> && requires(const Sys& system, const typename Sys::state& y, const typename Sys::scalar& t,
+                                 const vec<typename Sys::scalar, Sys::dimension / 2>& half) {
+      { system.canonical(y) } -> std::same_as<typename Sys::state>;
+      { system.from_canonical(y) } -> std::same_as<typename Sys::state>;
+      { system.velocities(system.configuration_at(half), half) } -> std::same_as<std::remove_cvref_t<decltype(half)>>;
+      { system.forces(t, system.configuration_at(half), half) } -> std::same_as<std::remove_cvref_t<decltype(half)>>;
+    };
+
+// H = T(p) + V(t, θ), with momenta in units in which they are the velocities.
+template <class Sys>
+concept Separable = Mechanical<Sys> && requires(const Sys& system, const typename Sys::scalar& t,
+                                                const vec<typename Sys::scalar, Sys::dimension / 2>& angles) {
+  { system.accelerations(t, angles) } -> std::same_as<std::remove_cvref_t<decltype(angles)>>;
 };
 
-// An entry of the catalogue's list of methods. One that iterates has no fixed number of evaluations and says 0.
-template <class T>
-concept Method = requires {
-  { T::name } -> std::convertible_to<std::string_view>;
-  { T::order } -> std::convertible_to<int>;
-  { T::evaluations_per_step } -> std::convertible_to<int>;
-  { T::adaptive } -> std::convertible_to<bool>;
-  { T::symplectic } -> std::convertible_to<bool>;
-  { T::source } -> std::convertible_to<std::string_view>;
+// With a place for each rod's end, and the rods' lengths.
+template <class Sys>
+concept Positioned = SecondOrder<Sys> && requires(const Sys& system, const typename Sys::state& y) {
+  { system.lengths() } -> std::same_as<vec<typename Sys::scalar, Sys::dimension / 2>>;
+  { system.positions(y) } -> std::same_as<std::array<vec<typename Sys::scalar, 2>, Sys::dimension / 2>>;
 };
 
 // A method with a system it takes: from a state it begins with what it carries from step to step, its state among it.
-template <class T, class Sys>
-concept StepsOver = SystemOver<Sys> && T::template takes<Sys> &&
-                    requires(const Sys& system, const typename Sys::state& y, const typename Sys::scalar& h) {
-                      { T::step(system, T::begin(system, y), h) } -> std::same_as<decltype(T::begin(system, y))>;
-                      { T::state_of(system, T::begin(system, y)) } -> std::same_as<typename Sys::state>;
-                    };
+template <class Method, class Sys>
+concept StepsOver = Flow<Sys> && requires(const Sys& system, const typename Sys::state& y,
+                                          const typename Sys::scalar& t, const typename Sys::scalar& h) {
+  { Method::step(system, t, Method::begin(system, y), h) } -> std::same_as<decltype(Method::begin(system, y))>;
+  { Method::state_of(system, Method::begin(system, y)) } -> std::same_as<typename Sys::state>;
+};
 
-}  // namespace pendula
+}  // namespace pendula::inline PENDULA_MACHINE

@@ -7,10 +7,11 @@
 
 #include "pendula/drive/events.hpp"
 #include "pendula/drive/outcome.hpp"
+#include "pendula/drive/polling.hpp"
 #include "pendula/scalar/compensated.hpp"
 #include "pendula/scalar/rough_powers.hpp"
 
-namespace pendula {
+namespace pendula::inline PENDULA_MACHINE {
 
 struct adaptive_result {
   outcome ended = outcome::reached_end;
@@ -45,7 +46,7 @@ class adaptive_run {
     result.reached = rough(time_.head[0]);
     for (;;) {
       if (result.steps == step_limit) return ended(result, outcome::step_limit);
-      stepper_.expand(direction_);
+      stepper_.expand({time_.head[0], time_.tail[0]}, direction_);
       const auto next = stepper_.after(stepper_.length());
       if (!all_finite(next.head) || !countable()) return ended(result, outcome::not_finite);
       ++result.steps;
@@ -53,7 +54,7 @@ class adaptive_run {
       const bool last = !(direction_ * rough(stepper_.length()) < direction_ * rough(left));
       S stop = last ? left : S(stepper_.length());
       bool terminated = false;
-      if constexpr (std::same_as<S, double>) terminated = !trackers_.empty() && tell_events(stop, consumer);
+      if constexpr (std::same_as<S, double>) terminated = !trackers_.empty() && report_events(stop, consumer);
       const bool enough = !consumer.step(*this, stop);
       result.reached = last && !terminated ? end_ : time_after(stop);
       if (terminated) return ended(result, outcome::event);
@@ -75,7 +76,8 @@ class adaptive_run {
   double time_after(S tau) const { return rough(time_.moved_by({tau}).head[0]); }
 
  private:
-  static constexpr std::int64_t between_polls = is_machine_number<S> ? 2048 : 1;
+  static constexpr std::int64_t between_polls =
+      has_double_precision<S> ? adaptive_steps_between_polls : many_digit_steps_between_polls;
 
   adaptive_result ended(adaptive_result result, outcome how) const {
     result.ended = how;
@@ -98,14 +100,14 @@ class adaptive_run {
 
   // True where one ends the run, at the time `stop` then is.
   template <class Consumer>
-  bool tell_events(double& stop, Consumer& consumer) {
+  bool report_events(double& stop, Consumer& consumer) {
     found_.clear();
     for (event_tracker& each : trackers_) each.find(stepper_, stop / stepper_.length(), found_);
     std::stable_sort(found_.begin(), found_.end(),
                      [this](const crossing& a, const crossing& b) { return a.tau * direction_ < b.tau * direction_; });
     for (const crossing& each : found_) {
       consumer.event(*this, each.event, each.tau);
-      if (++counts_[each.event] != trackers_[each.event].what().at_most) continue;
+      if (++counts_[each.event] != trackers_[each.event].what().terminal) continue;
       stop = each.tau;
       return true;
     }
@@ -120,4 +122,4 @@ class adaptive_run {
   std::vector<crossing> found_;
 };
 
-}  // namespace pendula
+}  // namespace pendula::inline PENDULA_MACHINE

@@ -7,31 +7,24 @@
 #include <cstdint>
 #include <vector>
 
+#include "pendula/concepts.hpp"
+#include "pendula/drive/event.hpp"
 #include "pendula/scalar/polynomial_roots.hpp"
 #include "pendula/scalar/sincos.hpp"
 #include "pendula/scalar/wide.hpp"
 
-namespace pendula {
-
-enum class event_kind : std::uint8_t { angle, velocity, tip_height };
-
-struct event {
-  event_kind kind;
-  int index = 0;             // of the angle or velocity, from 0
-  double value = 0.0;        // that is passed,
-  double value_tail = 0.0;   // and what it goes on with
-  bool every_turn = false;   // an angle passes the value and any number of turns, too
-  int direction = 0;         // 1: growing with time, −1: falling, 0: both
-  std::int64_t at_most = 0;  // so many end the run; 0: none does
-};
+namespace pendula::inline PENDULA_MACHINE {
 
 namespace detail {
 
 // 2π; head and tail.
 inline constexpr double turn_head = 0x1.921fb54442d18p+2, turn_tail = 0x1.1a62633145c07p-52;
-// Nearer to a target than this, in parts of what the quantity changes by, the side that it is on is not known; nearer
-// than the other, a step can have ended on the wrong side of a crossing that the next one begins behind.
-inline constexpr double unsure = 0x1p-44, joining = 0x1p-30;
+// Both in parts of what the quantity changes by in the step. Nearer to a target than this, rounding hides on which side
+// of it the quantity is.
+inline constexpr double unsure = 0x1p-44;
+// Nearer to a target than this at the start of a step, a crossing can lie where two steps join: the step before may
+// have ended on the wrong side of it by its own error.
+inline constexpr double joining = 0x1p-30;
 // More turns than these in one step, about a second's work, or so far away, are not looked at one by one.
 inline constexpr double most_turns = 0x1p18, most_turns_of_tip = 0x1p12, farthest_turn = 0x1p50;
 
@@ -77,8 +70,8 @@ class event_tracker {
              std::fabs(p.coefficient[0]) <= detail::farthest_turn * detail::turn_head;
     };
     if (what_.kind == event_kind::angle) return !what_.every_turn || few(what_.index, detail::most_turns);
-    if (what_.kind == event_kind::velocity) return true;
-    for (std::size_t i = 0; i < stepper.of().lengths().size(); ++i)
+    if (what_.kind == event_kind::velocity_zero) return true;
+    for (std::size_t i = 0; i < lengths_of(stepper).size(); ++i)
       if (!few(static_cast<int>(i), detail::most_turns_of_tip)) return false;
     return true;
   }
@@ -104,12 +97,25 @@ class event_tracker {
     std::int64_t gap;  // after it
   };
 
+  template <class Stepper>
+  using system_of = std::remove_cvref_t<decltype(std::declval<const Stepper&>().of())>;
+
+  // Of the rods that hold the tip.
+  template <class Stepper>
+  static auto lengths_of(const Stepper& stepper) {
+    if constexpr (Positioned<system_of<Stepper>>) {
+      return stepper.of().lengths();
+    } else {
+      return std::array<double, 0>{};
+    }
+  }
+
   // The cosine of an angle is a good polynomial for a turn of 1 rad, not for that of any step.
   template <class Stepper>
   int parts_of(const Stepper& stepper) const {
     double reach = 1.0;
     if (what_.kind == event_kind::tip_height)
-      for (std::size_t i = 0; i < stepper.of().lengths().size(); ++i)
+      for (std::size_t i = 0; i < lengths_of(stepper).size(); ++i)
         reach = std::max(reach, stepper.angle_polynomial(static_cast<int>(i)).reach(1.0));
     return static_cast<int>(std::ceil(reach));
   }
@@ -119,21 +125,21 @@ class event_tracker {
     const polynomial p = quantity(stepper, part);
     const double reach = p.reach(1.0), noise = 0x1p-50 * (size(stepper, p) + reach);
     const double margin = std::max(detail::unsure * reach, noise);
-    const double beside = less(stepper, part, p, nearest(p.coefficient[0])).coefficient[0];
+    const double beside = minus_turns(stepper, part, p, nearest(p.coefficient[0])).coefficient[0];
     const bool sure_of_start = begin(stepper, part, beside, p, margin, found);
     std::vector<passage> passages;
     const auto turns = [](double angle) { return static_cast<std::int64_t>(angle / detail::turn_head); };
     const std::int64_t lowest = what_.every_turn ? turns(std::floor(p.coefficient[0] - reach)) - 1 : 0;
     const std::int64_t highest = what_.every_turn ? turns(std::ceil(p.coefficient[0] + reach)) + 1 : 0;
     for (std::int64_t n = lowest; n <= highest; ++n) {
-      const polynomial of_target = less(stepper, part, p, n);
+      const polynomial of_target = minus_turns(stepper, part, p, n);
       each_crossing(of_target, end, noise, [&](double y, bool rising) {
         passages.push_back({polished(stepper, part, of_target, n, y), rising ? n : n - 1});
       });
     }
     std::sort(passages.begin(), passages.end(), [](const passage& a, const passage& b) { return a.y < b.y; });
     const std::int64_t n = nearest(p(end)), left_in = passages.empty() ? gap_ : passages.back().gap;
-    const double at_end = less(stepper, part, p, n)(end);
+    const double at_end = minus_turns(stepper, part, p, n)(end);
     const bool short_of_one = std::fabs(at_end) > margin && left_in != (at_end > 0.0 ? n : n - 1);
     if (short_of_one && !sure_of_start) pass(stepper, part.from, side_after(beside, p, margin), found);
     for (const passage& each : passages) pass(stepper, part.from + part.width * each.y, each.gap, found);
@@ -168,7 +174,7 @@ class event_tracker {
   double size(const Stepper& stepper, const polynomial& p) const {
     double sum = std::fabs(p.coefficient[0]) + 2.0 * std::fabs(what_.value);
     if (what_.kind == event_kind::tip_height)
-      for (double length : stepper.of().lengths()) sum += length;
+      for (double length : lengths_of(stepper)) sum += length;
     return sum;
   }
 
@@ -177,9 +183,9 @@ class event_tracker {
   polynomial quantity(const Stepper& stepper, piece part) const {
     polynomial p;
     if (what_.kind == event_kind::angle) p = stepper.angle_polynomial(what_.index);
-    if (what_.kind == event_kind::velocity) p = stepper.velocity_polynomial(what_.index);
+    if (what_.kind == event_kind::velocity_zero) p = stepper.velocity_polynomial(what_.index);
     if (what_.kind == event_kind::tip_height) {
-      const auto lengths = stepper.of().lengths();
+      const auto lengths = lengths_of(stepper);
       for (std::size_t i = 0; i < lengths.size(); ++i) {
         const polynomial angle = stepper.angle_polynomial(static_cast<int>(i)).about(part.from, part.width);
         const polynomial cosine = detail::cosine_of(angle);
@@ -193,7 +199,7 @@ class event_tracker {
 
   // The same less n turns, with the tails of angle and value.
   template <class Stepper>
-  polynomial less(const Stepper& stepper, piece part, polynomial p, std::int64_t n) const {
+  polynomial minus_turns(const Stepper& stepper, piece part, polynomial p, std::int64_t n) const {
     if (what_.kind == event_kind::angle) p.coefficient[0] = precisely(stepper, part.from * stepper.length(), n);
     return p;
   }
@@ -209,8 +215,12 @@ class event_tracker {
       return rounded(angle - (wide<double>(what_.value, what_.value_tail) + turns));
     }
     const auto y = stepper.state_of(point);
-    if (what_.kind == event_kind::velocity) return y[y.size() / 2 + what_.index] - what_.value;
-    return stepper.of().positions(y).back()[1] - what_.value;
+    if (what_.kind == event_kind::velocity_zero) return y[y.size() / 2 + what_.index] - what_.value;
+    if constexpr (Positioned<system_of<Stepper>>) {
+      return stepper.of().positions(y).back()[1] - what_.value;
+    } else {
+      return __builtin_nan("");  // nobody asks for the height of what has no place
+    }
   }
 
   // Which way the quantity goes that starts on its target.
@@ -248,4 +258,4 @@ class event_tracker {
   std::int64_t gap_ = 0;
 };
 
-}  // namespace pendula
+}  // namespace pendula::inline PENDULA_MACHINE

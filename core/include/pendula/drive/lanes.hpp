@@ -10,12 +10,13 @@
 
 #include "pendula/drive/events.hpp"
 #include "pendula/drive/outcome.hpp"
+#include "pendula/drive/polling.hpp"
 #include "pendula/scalar/choose.hpp"
 #include "pendula/scalar/compensated.hpp"
 
-namespace pendula {
+namespace pendula::inline PENDULA_MACHINE {
 
-// What all the trajectories have in common. Outputs follow one another from t0, which is none of them, to the end.
+// What all the trajectories have in common. Output times, monotonic, in (t0, end].
 struct lanes_task {
   double t0, end;
   std::int64_t step_limit;
@@ -26,7 +27,7 @@ struct lanes_task {
 struct lane_end {
   std::size_t trajectory;
   outcome ended;
-  std::int64_t steps;
+  std::int64_t steps, evaluations;
   double reached;  // the time up to which the motion is known
 };
 
@@ -60,6 +61,10 @@ struct lane_view {
   const System& of() const { return system; }
 };
 
+// Events in lanes need a stepper that tells how far its quantities can go within a step.
+template <class Stepper>
+inline constexpr bool finds_events_in_lanes = requires(const Stepper& stepper) { stepper.angle_reach(0); };
+
 // `Stepper` over lanes, `One` the same over plain numbers, through which a trajectory comes in. The feed gives and
 // takes:
 //     next(one)                            places a trajectory in the stepper and tells its number, or no_trajectory
@@ -72,42 +77,38 @@ class lanes_run {
  public:
   using S = typename Stepper::S;
   static constexpr int width = lanes<S>::count;
-  // Events need a stepper that tells how far its quantities can go within a step.
-  static constexpr bool finds_events = requires(const Stepper& one_of_lanes) { one_of_lanes.angle_reach(0); };
-
   lanes_run(Stepper& stepper, One& one, const lanes_task& task, Feed& feed)
       : stepper_(stepper), one_(one), task_(task), feed_(feed), direction_(task.end < task.t0 ? -1.0 : 1.0) {}
 
   void all() {
     for (int l = 0; l < width; ++l) load(l);
     while (running_ > 0) {
-      stepper_.expand(direction_);
+      stepper_.expand({time_.head[0], time_.tail[0]}, direction_);
       const S h = stepper_.length(), left = since_step(S(task_.end));
-      const auto arrived = opposite(less(S(direction_) * h, S(direction_) * left));
+      const auto arrived = mask_not(less(S(direction_) * h, S(direction_) * left));
       const auto next = stepper_.after(h);
-      auto well = finite<S>(next.head);
+      auto sound = finite<S>(next.head);
       ++steps_;
       S stop = choose(arrived, left, h);
       bool terminated = false;
-      if constexpr (finds_events) terminated = !task_.events.empty() && tell_events(well, stop);
-      if (!task_.times.empty()) tell_outputs(well, stop);
-      const auto stopped = time_.moved_by({choose(well, stop, S(0.0))}).head[0];
+      if constexpr (finds_events_in_lanes<Stepper>) terminated = !task_.events.empty() && report_events(sound, stop);
+      if (!task_.times.empty()) report_outputs(sound, stop);
+      const auto stopped = time_.moved_by({choose(sound, stop, S(0.0))}).head[0];
       stepper_.proceed(next);
       time_ = time_.moved_by({h});
-      if (any_lane(arrived) || !all_lanes(well) || terminated || steps_ >= soonest_limit_)
-        change(arrived, well, stopped);
-      if (steps_ % between_polls == 0 && !feed_.go_on()) return interrupt();
+      if (any_lane(arrived) || !all_lanes(sound) || terminated || steps_ >= soonest_limit_)
+        change(arrived, sound, stopped);
+      if (steps_ % lane_steps_between_polls == 0 && !feed_.go_on()) return interrupt();
     }
   }
 
  private:
   using System = std::remove_cvref_t<decltype(std::declval<One>().of())>;
   using view = lane_view<Stepper, System>;
-  static constexpr std::int64_t between_polls = 1024;
 
   struct one_lane {
     std::size_t trajectory = no_trajectory, next_output = 0;
-    std::int64_t begun = 0;
+    std::int64_t begun = 0, evaluations_before = 0;  // counts of all lanes when it came in
     bool terminated = false;
     System system{};
     std::vector<event_tracker> trackers;
@@ -117,13 +118,14 @@ class lanes_run {
   void load(int l) {
     one_lane& mine = lanes_[l];
     mine.trajectory = feed_.next(one_);
-    stepper_.take(l, one_);  // where none is left, what the lane goes on with is told nobody
+    stepper_.take(l, one_);  // an empty lane keeps stepping; its results are discarded
     set_lane(time_.head[0], l, task_.t0);
     set_lane(time_.tail[0], l, 0.0);
     mine.next_output = mine.trajectory == no_trajectory ? task_.times.size() : 0;
     wait_for_output(l);
     if (mine.trajectory == no_trajectory) return;
     mine.begun = steps_;
+    mine.evaluations_before = stepper_.evaluations(l) - one_.evaluations();
     mine.terminated = false;
     mine.system = one_.of();
     mine.trackers.clear();
@@ -143,10 +145,10 @@ class lanes_run {
 
   // The outputs up to `stop` in the step of each lane.
   template <class Mask>
-  void tell_outputs(Mask well, S stop) {
+  void report_outputs(Mask sound, S stop) {
     for (bool any = true; any;) {
       const S tau = since_step(due_);
-      const auto hit = both(well, opposite(less(stop * S(direction_), tau * S(direction_))));
+      const auto hit = mask_and(sound, mask_not(less(stop * S(direction_), tau * S(direction_))));
       if (!any_lane(hit)) return;
       const auto y = stepper_.state_of(stepper_.after(choose(hit, tau, S(0.0))));
       any = false;
@@ -161,12 +163,12 @@ class lanes_run {
   }
 
   // Whether one of the events ends a trajectory, at the time its `stop` then is. One whose events cannot be counted is
-  // not well.
+  // not sound.
   template <class Mask>
-  bool tell_events(Mask& well, S& stop) {
+  bool report_events(Mask& sound, S& stop) {
     bool terminated = false;
     for (std::size_t i = 0; i < task_.events.size(); ++i) {
-      const auto near = both(well, may_cross(task_.events[i]));
+      const auto near = mask_and(sound, can_cross(task_.events[i]));
       if (!any_lane(near)) continue;
       for (int l = 0; l < width; ++l) {
         one_lane& mine = lanes_[l];
@@ -175,18 +177,18 @@ class lanes_run {
         if (!mine.trackers[i].countable(step)) {
           S this_one(0.0);
           set_lane(this_one, l, 1.0);
-          well = both(well, equal(this_one, S(0.0)));
+          sound = mask_and(sound, equal(this_one, S(0.0)));
           found_[l].clear();
         }
-        if (lane_of(well, l)) mine.trackers[i].find(step, lane(stop, l) / step.length(), found_[l]);
+        if (lane_of(sound, l)) mine.trackers[i].find(step, lane(stop, l) / step.length(), found_[l]);
       }
     }
     for (int l = 0; l < width; ++l)
-      if (!found_[l].empty() && tell_found(l, stop)) terminated = true;
+      if (!found_[l].empty() && report_found(l, stop)) terminated = true;
     return terminated;
   }
 
-  bool tell_found(int l, S& stop) {
+  bool report_found(int l, S& stop) {
     one_lane& mine = lanes_[l];
     const view step{stepper_, mine.system, l};
     std::stable_sort(found_[l].begin(), found_[l].end(),
@@ -194,7 +196,7 @@ class lanes_run {
     for (const crossing& each : found_[l]) {
       const double t = two_sum(lane(time_.head[0], l), each.tau + lane(time_.tail[0], l)).head;
       feed_.event(mine.trajectory, each.event, t, step.state_of(step.after(each.tau)));
-      if (++mine.counts[each.event] != task_.events[each.event].at_most) continue;
+      if (++mine.counts[each.event] != task_.events[each.event].terminal) continue;
       set_lane(stop, l, each.tau);
       mine.terminated = true;
       break;
@@ -205,7 +207,7 @@ class lanes_run {
 
   // Where the event's quantity can come to its target in this step. A tracker need not look at the other steps: in them
   // the motion stays in the gap it was in.
-  auto may_cross(const event& what) const {
+  auto can_cross(const event& what) const {
     const auto everywhere = equal(S(0.0), S(0.0));
     if (what.kind == event_kind::tip_height) return everywhere;
     const bool of_angle = what.kind == event_kind::angle;
@@ -214,12 +216,12 @@ class lanes_run {
     S away = start - S(what.value);
     if (what.every_turn) away = away - nearest_whole(away * S(1.0 / detail::turn_head)) * S(detail::turn_head);
     const S margin = S(0x1p-30) * (reach + magnitude(start) + S(std::fabs(what.value)));
-    return opposite(less(reach + margin, magnitude(away)));
+    return mask_not(less(reach + margin, magnitude(away)));
   }
 
   // Trajectories that have ended make room for the next.
   template <class Mask>
-  void change(Mask arrived, Mask well, S stopped) {
+  void change(Mask arrived, Mask sound, S stopped) {
     soonest_limit_ = std::numeric_limits<std::int64_t>::max();
     for (int l = 0; l < width; ++l) {
       one_lane& mine = lanes_[l];
@@ -227,7 +229,7 @@ class lanes_run {
       std::int64_t taken = steps_ - mine.begun;
       outcome how = outcome::step_limit;
       double reached = lane(stopped, l);
-      if (!lane_of(well, l)) {
+      if (!lane_of(sound, l)) {
         how = outcome::not_finite;
         --taken;
       } else if (mine.terminated) {
@@ -240,7 +242,7 @@ class lanes_run {
         continue;
       }
       --running_;
-      feed_.finish({mine.trajectory, how, taken, reached});
+      feed_.finish({mine.trajectory, how, taken, evaluations_of(l), reached});
       load(l);
     }
   }
@@ -248,8 +250,11 @@ class lanes_run {
   void interrupt() {
     for (int l = 0; l < width; ++l)
       if (const one_lane& mine = lanes_[l]; mine.trajectory != no_trajectory)
-        feed_.finish({mine.trajectory, outcome::interrupted, steps_ - mine.begun, lane(time_.head[0], l)});
+        feed_.finish(
+            {mine.trajectory, outcome::interrupted, steps_ - mine.begun, evaluations_of(l), lane(time_.head[0], l)});
   }
+
+  std::int64_t evaluations_of(int l) const { return stepper_.evaluations(l) - lanes_[l].evaluations_before; }
 
   static auto state_of_lane(const typename Stepper::state& y, int l) {
     typename One::state mine;
@@ -270,4 +275,4 @@ class lanes_run {
   std::array<std::vector<crossing>, width> found_;
 };
 
-}  // namespace pendula
+}  // namespace pendula::inline PENDULA_MACHINE

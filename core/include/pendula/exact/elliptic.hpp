@@ -8,7 +8,7 @@
 #include "pendula/exact/theta.hpp"
 #include "pendula/scalar/arctangent.hpp"
 
-namespace pendula {
+namespace pendula::inline PENDULA_MACHINE {
 
 // K, E, B, am and dn lie within so many units in the last place of the right value; sn and cn, and for k > 1, where am
 // and dn have zeros, all four, within so many 2^-52 max(|value|, jacobi_floor). Where kc is below 1e-300 dn may have no
@@ -65,7 +65,7 @@ struct mean_and_sum {
     wide<S> c = square(m.k) / scaled(a, S(4.0));                           // (1 − kc)/2
     sum = square(c);
     S weight(1.0);
-    for (auto apart = far(a, c); any_lane(apart); apart = both(apart, far(a, c))) {
+    for (auto apart = far(a, c); any_lane(apart); apart = mask_and(apart, far(a, c))) {
       const wide<S> half_sum = scaled(sum_with_smaller(a, b), S(0.5)), root = square_root(a * b);
       const wide<S> half_difference = scaled(settled(sum_with_smaller(a, -b)), S(0.5));
       weight = weight + weight;
@@ -166,7 +166,7 @@ class jacobi_functions {
     jacobi_quartet<S> v = theta_(rest);
     if (any_lane(one_)) v = chosen(one_, hyperbolic(u), v);
     const S sign = choose(beyond_one_, S(1.0), parity);
-    const S turns = choose(both(opposite(one_), opposite(beyond_one_)), whole, S(0.0)), inverse = S(1.0) / v.w.hi;
+    const S turns = choose(mask_and(mask_not(one_), mask_not(beyond_one_)), whole, S(0.0)), inverse = S(1.0) / v.w.hi;
     wide<S> s = v.s, c = v.c, d = v.d;
     if (any_lane(beyond_one_)) {  // sn(u, k) = sn(ku, 1/k)/k, cn(u, k) = dn(ku, 1/k), dn(u, k) = cn(ku, 1/k)
       s = choose(beyond_one_, scaled(s / m_.stretch, parity), s);
@@ -193,7 +193,7 @@ class jacobi_functions {
     const auto [rest, rest_tail] = two_sum(product - whole, product_tail);
     counted result{whole, parity_sign(whole), wide<S>(two_sum(rest, rest_tail + u * rate_.lo))};
     const S stretched = magnitude(u) * m_.stretch.hi;
-    if (any_lane(both(less(S(reach_of_wide_rate), stretched), opposite(one_)))) count_again(u, stretched, result);
+    if (any_lane(mask_and(less(S(reach_of_wide_rate), stretched), mask_not(one_)))) count_again(u, stretched, result);
     result.parity = choose(one_, S(1.0), result.parity);
     return result;
   }
@@ -225,9 +225,9 @@ class jacobi_functions {
 
   PENDULA_INLINE jacobi_values<S> at_the_ends(S u, S whole, jacobi_values<S> v) const {
     const S size = magnitude(u), nan(std::numeric_limits<double>::quiet_NaN());
-    const auto tiny = both(less(size * m_.stretch.hi, S(tiny_argument)), equal(m_.kc.hi, m_.kc.hi));
+    const auto tiny = mask_and(less(size * m_.stretch.hi, S(tiny_argument)), equal(m_.kc.hi, m_.kc.hi));
     const auto counted = less(magnitude(whole), S(largest_jacobi_count));  // and NaN is not
-    const auto lost = both(opposite(counted), opposite(both(one_, equal(u, u))));
+    const auto lost = mask_and(mask_not(counted), mask_not(mask_and(one_, equal(u, u))));
     return {choose(tiny, u, choose(lost, nan, v.am)), choose(tiny, u, choose(lost, nan, v.sn)),
             choose(tiny, S(1.0), choose(lost, nan, v.cn)), choose(tiny, S(1.0), choose(lost, nan, v.dn))};
   }
@@ -238,4 +238,4 @@ class jacobi_functions {
   mask beyond_one_, one_;
 };
 
-}  // namespace pendula
+}  // namespace pendula::inline PENDULA_MACHINE

@@ -4,7 +4,7 @@
 #include "pendula/exact/elliptic.hpp"
 #include "pendula/scalar/wide_sincos.hpp"
 
-namespace pendula {
+namespace pendula::inline PENDULA_MACHINE {
 
 inline constexpr double incomplete_ulps = 1.0;  // what F lies within, in units in the last place
 inline constexpr double many_turns = 0x1p62;    // amplitudes beyond are proportional to F, but for one part in 2^61
@@ -88,4 +88,4 @@ inline double incomplete_F(double phi, const modulus<double>& m) {
   return rounded(quick_sum(half_turns * half_period, rest));
 }
 
-}  // namespace pendula
+}  // namespace pendula::inline PENDULA_MACHINE

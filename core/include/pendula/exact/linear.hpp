@@ -4,7 +4,7 @@
 #include "pendula/scalar/sincos_of_half_turns.hpp"
 #include "pendula/scalar/wide_sincos.hpp"
 
-namespace pendula {
+namespace pendula::inline PENDULA_MACHINE {
 
 template <class S>
 class linear_motion {
@@ -34,7 +34,7 @@ class linear_motion {
     const wide<S> c = scaled(sum_with_smaller(cosine, -(sine * x.lo)), sign);
     const S theta = rounded(quick_sum(c * theta_, s * inverse_ * omega_));
     const S omega = rounded(quick_sum(c * omega_, -(s * frequency_ * theta_)));
-    const auto moved = opposite(equal(t.hi, S(0.0)));
+    const auto moved = mask_not(equal(t.hi, S(0.0)));
     return {choose(moved, theta, theta_), choose(moved, omega, omega_)};
   }
 
@@ -44,4 +44,4 @@ class linear_motion {
   S rate_[3];
 };
 
-}  // namespace pendula
+}  // namespace pendula::inline PENDULA_MACHINE

@@ -8,7 +8,7 @@
 
 #include "pendula/scalar/wide.hpp"
 
-namespace pendula {
+namespace pendula::inline PENDULA_MACHINE {
 
 // 10^±646000000 lies within its range, so that squares of the smallest doubles do.
 using many_digits =
@@ -74,4 +74,4 @@ inline counted_quarters quarter_turns_off(double x) {
   return {count.convert_to<std::int64_t>(), wide_of(x - count * quarter)};
 }
 
-}  // namespace pendula
+}  // namespace pendula::inline PENDULA_MACHINE

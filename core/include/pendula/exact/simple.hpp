@@ -12,7 +12,7 @@
 #include "pendula/scalar/arctangent.hpp"
 #include "pendula/scalar/wide_sincos.hpp"
 
-namespace pendula {
+namespace pendula::inline PENDULA_MACHINE {
 
 // The error of θ is below so many 2^-52 max(|θ|, min(1, amplitude)), that of ω so many 2^-52 of the motion's largest.
 inline constexpr double exact_epsilons = 4.0;
@@ -102,7 +102,7 @@ PENDULA_INLINE simple_start<S> start_of(const simple_constants<S>& constants, S 
   y.complement = choose(separatrix, wide<S>(0.0), root);
   y.half_inverse = half_inverse;
   // beyond what cancels in the difference: angles that the sine has no digits for, and overflow
-  const auto usual = both(less(magnitude(theta), S(largest_wide_angle)), less(b2.hi, S(0x1p900)));
+  const auto usual = mask_and(less(magnitude(theta), S(largest_wide_angle)), less(b2.hi, S(0x1p900)));
   y.spread = choose(usual, size.hi, S(0.0));
   y.cancelled = size.hi + b2.hi;
   return y;
@@ -138,7 +138,7 @@ class simple_motion {
   PENDULA_INLINE point at(wide<S> t) const {
     const auto [half_periods, rest] = phase(t);
     const point there = at_phase(half_periods, parity_sign(half_periods), rest);
-    const auto moved = opposite(equal(t.hi, S(0.0)));
+    const auto moved = mask_not(equal(t.hi, S(0.0)));
     return {choose(moved, there.theta, start_.theta), choose(moved, there.omega, start_.omega), there.digits_enough};
   }
 
@@ -192,7 +192,7 @@ class simple_motion {
   // −π, but for its rounding.
   PENDULA_INLINE S unwrapped(S angle, S half_periods, S rest) const {
     const S forwards = times_sign_of(S(1.0), start_.b), onwards = times_sign_of(forwards, rest);
-    const auto fallen = both(rotating_, less(angle * onwards, S(-2.0)));
+    const auto fallen = mask_and(rotating_, less(angle * onwards, S(-2.0)));
     const S turns =
         start_.turns + choose(rotating_, forwards * half_periods, S(0.0)) + choose(fallen, S(2.0) * onwards, S(0.0));
     const wide<S> turned = scaled(wide_pi<S>::value(), S(2.0)) * turns;
@@ -206,4 +206,4 @@ class simple_motion {
   mask rotating_;
 };
 
-}  // namespace pendula
+}  // namespace pendula::inline PENDULA_MACHINE

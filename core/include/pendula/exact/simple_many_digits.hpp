@@ -5,7 +5,7 @@
 #include "pendula/exact/many_digits.hpp"
 #include "pendula/exact/simple.hpp"
 
-namespace pendula {
+namespace pendula::inline PENDULA_MACHINE {
 
 inline many_digits natural_frequency_in_many_digits(double length, double gravity) {
   return sqrt(many_digits(gravity) / length);
@@ -47,4 +47,4 @@ inline many_digit_start start_of_many_digits(double length, double gravity, doub
   return {y, rate};
 }
 
-}  // namespace pendula
+}  // namespace pendula::inline PENDULA_MACHINE

@@ -6,7 +6,7 @@
 #include "pendula/exact/elliptic.hpp"
 #include "pendula/exact/simple_many_digits.hpp"
 
-namespace pendula {
+namespace pendula::inline PENDULA_MACHINE {
 
 // Of a libration, or of one turn of a rotation; infinite on the separatrix.
 inline double simple_period(double length, double gravity, double theta, double omega) {
@@ -96,4 +96,4 @@ inline double linear_time_at(double length, double gravity, double theta, double
   return many_digits(wait / frequency).convert_to<double>();
 }
 
-}  // namespace pendula
+}  // namespace pendula::inline PENDULA_MACHINE

@@ -8,7 +8,7 @@
 #include "pendula/scalar/exponential.hpp"
 #include "pendula/scalar/sincos_of_half_turns.hpp"
 
-namespace pendula {
+namespace pendula::inline PENDULA_MACHINE {
 
 inline constexpr double near_one = 0.3;  // complementary moduli below take the series in q': q < 0.147, q' < 0.006
 
@@ -192,4 +192,4 @@ class jacobi_theta {
   complementary_nome_series<S> near_;
 };
 
-}  // namespace pendula
+}  // namespace pendula::inline PENDULA_MACHINE

@@ -5,20 +5,21 @@
 
 #include <limits>
 
+#include "pendula/description.hpp"
 #include "pendula/method/dop853_step.hpp"
 #include "pendula/scalar/compensated.hpp"
 #include "pendula/scalar/polynomial_roots.hpp"
 #include "pendula/scalar/rough_powers.hpp"
 
-namespace pendula {
+namespace pendula::inline PENDULA_MACHINE {
 
-template <SystemOver Sys>
+template <Energetic Sys>
 class dop853_stepper {
  public:
   using S = typename Sys::scalar;
   using state = typename Sys::state;
   using point = compensated_point<state>;
-  static_assert(is_machine_number<S>, "the coefficients are known to as many digits as a double has");
+  static_assert(has_double_precision<S>, "the coefficients are known to as many digits as a double has");
 
   dop853_stepper(const Sys& system, double log2_of_tolerance) : tolerance_(rough_exp2(log2_of_tolerance)) {
     change(system);
@@ -33,18 +34,19 @@ class dop853_stepper {
     longest_ = period;  // also at rest, where no error limits it
   }
 
-  // Places the motion at a state (θ…, ω…). Errors are in parts of a radian, or of the amplitude of a small swing, and
-  // of the angle where it is larger; those of velocities alike, with the largest frequency.
-  void start(const state& y) {
+  // Places the motion at a state (θ…, ω…) at time t. Errors are in parts of a radian, or of the amplitude of a small
+  // swing, and of the angle where it is larger; those of velocities alike, with the largest frequency.
+  void start(const S& t, const state& y) {
     now_.at.head = y;
     now_.at.tail.fill(S(0.0));
-    now_.slope = system_.rhs(y);
+    now_.slope = system_.rhs(t, y);
     now_.step = S(0.0);
     const S energy = system_.kinetic_energy(y) + system_.potential_energy(y);
     const S amplitude_squared = (energy + energy) / system_.energy_scale();
-    const auto small = both(less(S(0.0), amplitude_squared), less(amplitude_squared, S(1.0)));
+    const auto small = mask_and(less(S(0.0), amplitude_squared), less(amplitude_squared, S(1.0)));
     now_.size = choose(small, square_root(amplitude_squared), S(1.0));
-    evaluations_ = evaluations_ + S(1.0);
+    evaluations_ = S(1.0);
+    extra_evaluations_ = S(0.0);
   }
 
   // Where the motion is, and all that the next steps depend on: doubles, or lanes of them, alone.
@@ -68,27 +70,30 @@ class dop853_stepper {
     set_lane(shortest_, l, from.shortest_);
     set_lane(longest_, l, from.longest_);
     set_lane(evaluations_, l, from.evaluations_);
+    set_lane(extra_evaluations_, l, 0.0);
   }
 
-  // Makes a step forward in time or (direction −1) backward. Lanes whose step is accepted repeat it, to the same bits,
-  // until all others have theirs. A step that would have to be too short, or is not of numbers, leads to no number.
-  PENDULA_INLINE void expand(double direction) {
+  // Makes a step from time t, forward or (direction −1) backward. Lanes whose step is accepted repeat it, to the same
+  // bits, until all others have theirs. A step that would have to be too short, or is not of numbers, leads to no
+  // number.
+  PENDULA_INLINE void expand(const head_and_tail<S>& t, double direction) {
+    time_ = t.head;
     const components y = engine::paired(now_.at.head), inverse_scale = engine::paired(inverse_of_error_allowed());
     S h = now_.step;
     if (any_lane(equal(h, S(0.0)))) h = choose(equal(h, S(0.0)), first_step(direction, y, inverse_scale), h);
     k_[0] = engine::paired(now_.slope);
-    auto pending = equal(S(0.0), S(0.0)), rejected = opposite(pending);
+    auto pending = equal(S(0.0), S(0.0)), rejected = mask_not(pending);
     for (;;) {
       evaluations_ = evaluations_ + choose(pending, S(dop853_table::stages - 1.0), S(0.0));
       length_ = S(direction) * h;
-      increment_ = engine::increment(system_, y, k_, number(length_));
+      increment_ = engine::increment(system_, time_, y, k_, length_);
       const estimate error = estimated(inverse_scale);
-      pending = both(opposite(error.accepted), less(shortest_, h));
+      pending = mask_and(mask_not(error.accepted), less(shortest_, h));
       if (!any_lane(pending)) {
         settle(h, error.factor, rejected);
         return;
       }
-      rejected = opposite(both(opposite(rejected), opposite(pending)));
+      rejected = mask_not(mask_and(mask_not(rejected), mask_not(pending)));
       h = choose(pending, h * error.factor, h);
     }
   }
@@ -109,7 +114,7 @@ class dop853_stepper {
   polynomial velocity_polynomial(int i) const { return component_polynomial(static_cast<std::size_t>(i) + freedom); }
 
  private:
-  static constexpr std::size_t last = dop853_table::stages, freedom = Sys::dimension / 2;
+  static constexpr std::size_t last = dop853_table::stages, freedom = degrees_of_freedom<Sys>;
 
   using engine = dop853_step<Sys>;
   using number = typename engine::number;
@@ -155,11 +160,12 @@ class dop853_stepper {
       return engine::sum_of_squares(engine::each([&]<std::size_t i> { return a[i] * inverse_scale[i]; }));
     };
     const S of_state = squares(y), of_slope = squares(from) * (unit * unit);
-    const auto large = both(less(S(1e-10), of_state), less(S(1e-10), of_slope));
+    const auto large = mask_and(less(S(1e-10), of_state), less(S(1e-10), of_slope));
     const S h0 = choose(large, S(0.01) * square_root(of_state / of_slope), S(1e-6));
-    const number h = number(S(direction) * h0 * unit);
-    const components slope =
-        engine::paired(system_.rhs(engine::unpaired(engine::each([&]<std::size_t i> { return y[i] + h * from[i]; }))));
+    const S length = S(direction) * h0 * unit;
+    const number h(length);
+    const components slope = engine::paired(
+        system_.rhs(time_ + length, engine::unpaired(engine::each([&]<std::size_t i> { return y[i] + h * from[i]; }))));
     evaluations_ = evaluations_ + choose(equal(now_.step, S(0.0)), S(1.0), S(0.0));
     const S of_change = squares(engine::each([&]<std::size_t i> { return slope[i] - from[i]; })) * (unit * unit);
     const S curvature = of_change / (h0 * h0);
@@ -176,17 +182,18 @@ class dop853_stepper {
     const compensated_point<components> from{engine::paired(now_.at.head), engine::paired(now_.at.tail)};
     const auto to = from.moved_by(increment_);
     result_ = {engine::unpaired(to.head), engine::unpaired(to.tail)};
-    k_[last] = engine::paired(system_.rhs(result_.head));
+    k_[last] = engine::paired(system_.rhs(time_ + length_, result_.head));
     evaluations_ = evaluations_ + S(1.0) + extra_evaluations_;
     extra_evaluations_ = S(0.0);
     dense_known_ = false;
-    proposed_ = limited(h * choose(both(rejected, less(S(1.0), factor)), S(1.0), factor));
+    proposed_ = limited(h * choose(mask_and(rejected, less(S(1.0), factor)), S(1.0), factor));
   }
 
   [[gnu::noinline]] point within(S tau) const {
     if (!dense_known_) find_dense();
     const auto whole = equal(tau, length_);
-    extra_evaluations_ = choose(whole, extra_evaluations_, S(3.0));
+    // lanes that are not asked are given the start of their step
+    extra_evaluations_ = choose(mask_or(whole, equal(tau, S(0.0))), extra_evaluations_, S(3.0));
     const S x = tau / length_, rest = S(1.0) - x;
     state increment;
     for (std::size_t i = 0; i < increment.size(); ++i) {
@@ -207,7 +214,7 @@ class dop853_stepper {
     const number h(length_);
     const components y = engine::paired(now_.at.head);
     [&]<std::size_t... i>(std::index_sequence<i...>) {
-      (engine::template add_slope<last + 1 + i>(system_, y, k_, h), ...);
+      (engine::template add_slope<last + 1 + i>(system_, time_, y, k_, length_), ...);
     }(std::make_index_sequence<3>{});
     [&]<std::size_t... i>(std::index_sequence<i...>) {
       ((dense_[3 + i] = engine::unpaired(engine::template sum<dop853_table::dense, i>(k_, h))), ...);
@@ -241,13 +248,13 @@ class dop853_stepper {
     return p;
   }
 
-  template <SystemOver>
+  template <Energetic>
   friend class dop853_stepper;
 
   Sys system_{};
   S tolerance_, frequency_, shortest_, longest_;
   memory now_;
-  S length_, proposed_;
+  S time_, length_, proposed_;
   components increment_;
   point result_;
   S evaluations_{0.0};
@@ -263,12 +270,11 @@ struct dop853 {
   static constexpr int order = 8;
   static constexpr int evaluations_per_step = 12;  // the last slope of a step is the first of the next
   static constexpr bool adaptive = true, symplectic = false;
+  static constexpr facet needs = facet::energetic;
   static constexpr std::string_view source = "Hairer, Nørsett & Wanner (1993), dop853.f";
 
-  template <SystemOver Sys>
-  static constexpr bool takes = true;
-  template <SystemOver Sys>
+  template <Energetic Sys>
   using stepper = dop853_stepper<Sys>;
 };
 
-}  // namespace pendula
+}  // namespace pendula::inline PENDULA_MACHINE

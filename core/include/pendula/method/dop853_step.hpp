@@ -8,9 +8,9 @@
 #include "pendula/method/dop853_tableau.hpp"
 #include "pendula/scalar/machine.hpp"
 
-namespace pendula {
+namespace pendula::inline PENDULA_MACHINE {
 
-template <SystemOver Sys>
+template <SecondOrder Sys>
 struct dop853_step {
   using S = typename Sys::scalar;
   using state = typename Sys::state;
@@ -51,18 +51,20 @@ struct dop853_step {
   }
 
   template <std::size_t slope>
-  PENDULA_INLINE static void add_slope(const Sys& system, const components& y, slopes& k, const number& h) {
-    const components increment = sum<dop853_table::toward, slope - 1>(k, h);
-    k[slope] = paired(system.rhs(unpaired(each([&]<std::size_t i> { return y[i] + increment[i]; }))));
+  PENDULA_INLINE static void add_slope(const Sys& system, const S& t, const components& y, slopes& k, const S& length) {
+    const components increment = sum<dop853_table::toward, slope - 1>(k, number(length));
+    k[slope] = paired(system.rhs(t + S(dop853_table::node[slope]) * length,
+                                 unpaired(each([&]<std::size_t i> { return y[i] + increment[i]; }))));
   }
 
-  // From the slope at y, the first of the list, what a step of length h adds to y.
-  PENDULA_INLINE static components increment(const Sys& system, const components& y, slopes& k, const number& h) {
+  // From the slope at y, the first of the list, what a step from time t adds to y.
+  PENDULA_INLINE static components increment(const Sys& system, const S& t, const components& y, slopes& k,
+                                             const S& length) {
     constexpr std::size_t stages = dop853_table::stages;
     [&]<std::size_t... i>(std::index_sequence<i...>) {
-      (add_slope<i + 1>(system, y, k, h), ...);
+      (add_slope<i + 1>(system, t, y, k, length), ...);
     }(std::make_index_sequence<stages - 1>{});
-    return sum<dop853_table::toward, stages - 1>(k, h);
+    return sum<dop853_table::toward, stages - 1>(k, number(length));
   }
 
   // In the order of the components, two abreast or not.
@@ -82,4 +84,4 @@ struct dop853_step {
   }
 };
 
-}  // namespace pendula
+}  // namespace pendula::inline PENDULA_MACHINE

@@ -6,7 +6,9 @@
 #include <cstddef>
 #include <tuple>
 
-namespace pendula {
+#include "pendula/build.hpp"
+
+namespace pendula::inline PENDULA_MACHINE {
 
 // Coefficients of a sum over slopes, each with the number of the slope, from 0.
 struct weight {
@@ -19,6 +21,24 @@ using weighted = std::array<weight, count>;
 namespace dop853_table {
 
 inline constexpr int stages = 12;  // the slope at the end of the step is number 12, those of the dense output come next
+
+// The part of the step after which slopes 0 to 15 are taken (dop853.f: c2 … c16).
+inline constexpr std::array node{0.0,
+                                 0.0526001519587677318785587544488,
+                                 0.0789002279381515978178381316732,
+                                 0.118350341907227396726757197510,
+                                 0.281649658092772603273242802490,
+                                 1.0 / 3.0,
+                                 0.25,
+                                 4.0 / 13.0,
+                                 127.0 / 195.0,
+                                 0.6,
+                                 6.0 / 7.0,
+                                 1.0,
+                                 1.0,
+                                 0.1,
+                                 0.2,
+                                 7.0 / 9.0};
 
 // What leads to slopes 1 to 15. That to slope 12 is the step itself, of order 8.
 inline constexpr std::tuple toward{
@@ -160,4 +180,4 @@ inline constexpr std::tuple dense{weighted<12>{{{0, -8.428938276109013},
 
 }  // namespace dop853_table
 
-}  // namespace pendula
+}  // namespace pendula::inline PENDULA_MACHINE

@@ -3,7 +3,7 @@
 
 #include "pendula/method/explicit_runge_kutta.hpp"
 
-namespace pendula {
+namespace pendula::inline PENDULA_MACHINE {
 
 inline constexpr butcher_tableau<1> euler_tableau{.name = "euler",
                                                   .order = 1,
@@ -12,4 +12,4 @@ inline constexpr butcher_tableau<1> euler_tableau{.name = "euler",
                                                   .source = "Euler, Institutionum calculi integralis (1768), §650"};
 using euler = explicit_runge_kutta<euler_tableau>;
 
-}  // namespace pendula
+}  // namespace pendula::inline PENDULA_MACHINE

@@ -1,15 +1,26 @@
 // Explicit Runge–Kutta methods: a Butcher tableau and a name are a method; this engine makes the step of each.
 #pragma once
 
+#include <numeric>
 #include <utility>
 
 #include "pendula/concepts.hpp"
+#include "pendula/description.hpp"
 
-namespace pendula {
+namespace pendula::inline PENDULA_MACHINE {
 
 // Coefficients as fractions, so that every scalar forms them in its own precision.
 struct fraction {
   long long numerator = 0, denominator = 1;
+
+  friend constexpr fraction operator+(fraction a, fraction b) {
+    const long long n = a.numerator * b.denominator + b.numerator * a.denominator, d = a.denominator * b.denominator;
+    return {n / std::gcd(n, d), d / std::gcd(n, d)};
+  }
+  friend constexpr fraction operator*(fraction a, fraction b) {
+    const long long n = a.numerator * b.numerator, d = a.denominator * b.denominator;
+    return {n / std::gcd(n, d), d / std::gcd(n, d)};
+  }
 
   template <class S>
   PENDULA_INLINE constexpr S as() const {
@@ -24,6 +35,27 @@ struct butcher_tableau {
   std::array<std::array<fraction, stages>, stages> a;  // strictly lower triangular
   std::array<fraction, stages> b;
   std::string_view source;
+
+  // c_i = Σ_j a_ij: the part of the step after which stage i stands.
+  constexpr fraction node(std::size_t i) const { return std::accumulate(a[i].begin(), a[i].end(), fraction{}); }
+
+  // 1 + b₁ z + … + b_s z^s with the coefficients bᵀ A^{k−1} 1, from the lowest power on: what a step makes of y' = λ y,
+  // z = λ h (Hairer & Wanner 1996, Solving Ordinary Differential Equations II, IV.2.2).
+  constexpr std::array<double, stages + 1> stability_polynomial() const {
+    std::array<double, stages + 1> coefficients{1.0};
+    std::array<fraction, stages> power;
+    power.fill({1, 1});
+    for (std::size_t k = 1; k <= stages; ++k) {
+      fraction sum{};
+      for (std::size_t i = 0; i < stages; ++i) sum = sum + b[i] * power[i];
+      coefficients[k] = static_cast<double>(sum.numerator) / static_cast<double>(sum.denominator);
+      std::array<fraction, stages> next{};
+      for (std::size_t i = 0; i < stages; ++i)
+        for (std::size_t j = 0; j < stages; ++j) next[i] = next[i] + a[i][j] * power[j];
+      power = next;
+    }
+    return coefficients;
+  }
 };
 
 template <const auto& tableau>
@@ -33,26 +65,27 @@ struct explicit_runge_kutta {
   static constexpr std::size_t stages = tableau.b.size();
   static constexpr int evaluations_per_step = static_cast<int>(stages);
   static constexpr bool adaptive = false, symplectic = false;
+  static constexpr facet needs = facet::flow;
   static constexpr std::string_view source = tableau.source;
-  template <SystemOver Sys>
-  static constexpr bool takes = true;
+  static constexpr auto stability_polynomial = tableau.stability_polynomial();
 
   // It carries the state from step to step and nothing else.
-  template <SystemOver Sys>
+  template <Flow Sys>
   PENDULA_INLINE static typename Sys::state begin(const Sys&, const typename Sys::state& y) {
     return y;
   }
-  template <SystemOver Sys>
+  template <Flow Sys>
   PENDULA_INLINE static typename Sys::state state_of(const Sys&, const typename Sys::state& carried) {
     return carried;
   }
 
-  // The state a time h later. h times each coefficient does not change from step to step: compilers lift it out.
-  template <SystemOver Sys, class S = typename Sys::scalar>
-  PENDULA_INLINE static typename Sys::state step(const Sys& system, const typename Sys::state& y, S h) {
+  // From the state at time t that a time h later. h times each coefficient does not change from step to step: compilers
+  // lift it out.
+  template <Flow Sys, class S = typename Sys::scalar>
+  PENDULA_INLINE static typename Sys::state step(const Sys& system, S t, const typename Sys::state& y, S h) {
     std::array<typename Sys::state, stages> k;
     [&]<std::size_t... i>(std::index_sequence<i...>) {
-      ((k[i] = system.rhs(stage<i>(y, k, h))), ...);
+      ((k[i] = system.rhs(t + tableau.node(i).template as<S>() * h, stage<i>(y, k, h))), ...);
     }(std::make_index_sequence<stages>{});
     return stage<stages>(y, k, h);
   }
@@ -97,4 +130,4 @@ struct explicit_runge_kutta {
   }
 };
 
-}  // namespace pendula
+}  // namespace pendula::inline PENDULA_MACHINE

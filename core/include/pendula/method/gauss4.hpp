@@ -3,7 +3,7 @@
 
 #include "pendula/method/gauss_collocation.hpp"
 
-namespace pendula {
+namespace pendula::inline PENDULA_MACHINE {
 
 inline constexpr collocation_table<2> gauss4_table{.name = "gauss4",
                                                    .nodes = {0.21132486540518711775, 0.78867513459481288225},
@@ -12,4 +12,4 @@ inline constexpr collocation_table<2> gauss4_table{.name = "gauss4",
                                                    .source = "Antoñana, Makazaga & Murua, Numer. Algor. 76 (2017) 861"};
 using gauss4 = gauss_collocation<gauss4_table>;
 
-}  // namespace pendula
+}  // namespace pendula::inline PENDULA_MACHINE

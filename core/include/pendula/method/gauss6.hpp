@@ -3,7 +3,7 @@
 
 #include "pendula/method/gauss_collocation.hpp"
 
-namespace pendula {
+namespace pendula::inline PENDULA_MACHINE {
 
 inline constexpr collocation_table<3> gauss6_table{
     .name = "gauss6",
@@ -13,4 +13,4 @@ inline constexpr collocation_table<3> gauss6_table{
     .source = "Antoñana, Makazaga & Murua, Numer. Algor. 76 (2017) 861"};
 using gauss6 = gauss_collocation<gauss6_table>;
 
-}  // namespace pendula
+}  // namespace pendula::inline PENDULA_MACHINE

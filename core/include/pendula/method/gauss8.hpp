@@ -3,7 +3,7 @@
 
 #include "pendula/method/gauss_collocation.hpp"
 
-namespace pendula {
+namespace pendula::inline PENDULA_MACHINE {
 
 inline constexpr collocation_table<4> gauss8_table{
     .name = "gauss8",
@@ -16,4 +16,4 @@ inline constexpr collocation_table<4> gauss8_table{
     .source = "Antoñana, Makazaga & Murua, Numer. Algor. 76 (2017) 861"};
 using gauss8 = gauss_collocation<gauss8_table>;
 
-}  // namespace pendula
+}  // namespace pendula::inline PENDULA_MACHINE

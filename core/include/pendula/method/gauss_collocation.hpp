@@ -4,12 +4,13 @@
 // + μ_ji = 1, which doubles satisfy exactly.
 #pragma once
 
+#include "pendula/description.hpp"
 #include "pendula/method/parts_of_step.hpp"
-#include "pendula/method/stages_abreast.hpp"
+#include "pendula/method/stage_values.hpp"
 #include "pendula/scalar/choose.hpp"
 #include "pendula/scalar/compensated.hpp"
 
-namespace pendula {
+namespace pendula::inline PENDULA_MACHINE {
 
 template <std::size_t stages>
 struct collocation_table {
@@ -42,10 +43,10 @@ struct collocation_table {
 };
 
 // What is carried from step to step.
-template <SystemOver Sys, std::size_t stages>
+template <Mechanical Sys, std::size_t stages>
 struct collocated {
   using S = typename Sys::scalar;
-  using at_stages = stages_abreast<S, stages, Sys::dimension / 2>;
+  using at_stages = stage_values<S, stages, degrees_of_freedom<Sys>>;
 
   compensated_point<typename Sys::state> z;
   at_stages velocity, force;  // of the step before
@@ -55,33 +56,36 @@ struct collocated {
   friend std::int64_t evaluations_of(const collocated& c, int i) {
     return static_cast<std::int64_t>(lane(c.evaluations, i));
   }
-  friend void lay_to_rest(collocated& c, int i) {
+  friend void retire_lane(collocated& c, int i) {
     for (auto* numbers : {&c.z.head, &c.z.tail})
       for (S& x : *numbers) set_lane(x, i, 0.0);
-    for (auto* each : {&c.velocity, &c.force}) each->lay_to_rest(i);
+    for (auto* each : {&c.velocity, &c.force}) each->retire_lane(i);
   }
 };
 
 // A step's equations, iterated until rounding alone is left. The velocities follow from the momenta that the forces
 // have just given, which makes each round worth two of the plain fixed point's.
-template <SystemOver Sys, std::size_t stages, const auto& tableau>
+template <Mechanical Sys, std::size_t stages, const auto& tableau>
 class collocation_step {
  public:
   using carried = collocated<Sys, stages>;
   using S = typename Sys::scalar;
 
-  PENDULA_INLINE collocation_step(const Sys& system, const carried& from, S h) : system_(system), at_(from) {
+  PENDULA_INLINE collocation_step(const Sys& system, S t, const carried& from, S h) : system_(system), at_(from) {
     const auto part = parts_of_step<stages>(h, tableau.outer_weights);
-    for (std::size_t g = 0; g < groups; ++g)
+    for (std::size_t g = 0; g < groups; ++g) {
       weight_[g] = at_stages::gathered([&](std::size_t i) { return part[i]; }, g);
+      time_[g] = at_stages::gathered([&](std::size_t i) { return t + S(tableau.nodes[i]) * h; }, g);
+    }
   }
 
-  PENDULA_INLINE carried made() {
+  // What is carried on from the end of the step.
+  PENDULA_INLINE carried solved() {
     guess();
     mask going = equal(S(0.0), S(0.0));
     for (int round = 0; round < most_rounds && any_lane(going); ++round) {
       at_.evaluations = choose(going, at_.evaluations + S(static_cast<double>(stages)), at_.evaluations);
-      going = both(going, improve(going));
+      going = mask_and(going, improve(going));
     }
     for (std::size_t i = 0; i < freedom; ++i) {
       sum_[i] = turned_.total(i);
@@ -93,7 +97,7 @@ class collocation_step {
   }
 
  private:
-  static constexpr std::size_t freedom = Sys::dimension / 2;
+  static constexpr std::size_t freedom = degrees_of_freedom<Sys>;
   using at_stages = typename carried::at_stages;
   using number = typename at_stages::number;
   static constexpr std::size_t groups = at_stages::groups;
@@ -125,10 +129,10 @@ class collocation_step {
 
   // One round for the lanes that go on, and where another is worth it.
   PENDULA_INLINE mask improve(mask going) {
-    decltype(system_.posture_at(angles_[0])) posture[groups];
+    decltype(system_.configuration_at(angles_[0])) configuration[groups];
     for (std::size_t g = 0; g < groups; ++g) {
-      posture[g] = system_.posture_at(angles_[g]);
-      const auto force = system_.forces(posture[g], system_.velocities(posture[g], momenta_[g]));
+      configuration[g] = system_.configuration_at(angles_[g]);
+      const auto force = system_.forces(time_[g], configuration[g], system_.velocities(configuration[g], momenta_[g]));
       keep(going, at_.force[g], force);
     }
     for (std::size_t g = 0; g < groups; ++g)
@@ -136,8 +140,8 @@ class collocation_step {
     mask better = less(S(0.0), S(0.0));
     for (std::size_t g = 0; g < groups; ++g) {
       momenta_[g] = moved(pushed_, g, freedom);
-      keep(going, at_.velocity[g], system_.velocities(posture[g], momenta_[g]));
-      better = either(better, of_any_stage<S>(turn(g)));
+      keep(going, at_.velocity[g], system_.velocities(configuration[g], momenta_[g]));
+      better = mask_or(better, at_any_stage<S>(turn(g)));
     }
     for (std::size_t g = 0; g < groups; ++g) angles_[g] = moved(turned_, g, 0);
     return better;
@@ -162,15 +166,15 @@ class collocation_step {
       scale = scale + (magnitude(next) + magnitude(angles_[g][i]));
       turned_[g][i] = next;
     }
-    const auto nearer = both(less(change, least_[g]), less(number(0.0), change));
+    const auto nearer = mask_and(less(change, least_[g]), less(number(0.0), change));
     least_[g] = choose(less(change, least_[g]), change, least_[g]);
-    return either(nearer, less(number(blunder) * scale, change));
+    return mask_or(nearer, less(number(blunder) * scale, change));
   }
 
   const Sys& system_;
   carried at_;
   at_stages turned_, pushed_, angles_, momenta_;  // h b_i of the velocities and forces; Y_i
-  std::array<number, groups> weight_, least_;
+  std::array<number, groups> weight_, time_, least_;
   typename Sys::state sum_;
 };
 
@@ -181,11 +185,10 @@ struct gauss_collocation {
   static constexpr int order = 2 * static_cast<int>(stages);
   static constexpr int evaluations_per_step = 0;
   static constexpr bool adaptive = false, symplectic = true;
+  static constexpr facet needs = facet::mechanical;
   static constexpr std::string_view source = tableau.source;
-  template <SystemOver Sys>
-  static constexpr bool takes = true;
 
-  template <SystemOver Sys>
+  template <Mechanical Sys>
   static collocated<Sys, stages> begin(const Sys& system, const typename Sys::state& y) {
     using S = typename Sys::scalar;
     collocated<Sys, stages> at{{system.canonical(y), {}}, {}, {}, S(0.0)};
@@ -194,14 +197,15 @@ struct gauss_collocation {
     at.force.fill_with_zeros();
     return at;
   }
-  template <SystemOver Sys>
+  template <Mechanical Sys>
   static typename Sys::state state_of(const Sys& system, const collocated<Sys, stages>& at) {
     return system.from_canonical(at.z.head);
   }
-  template <SystemOver Sys>
-  static collocated<Sys, stages> step(const Sys& system, const collocated<Sys, stages>& from, typename Sys::scalar h) {
-    return collocation_step<Sys, stages, tableau>(system, from, h).made();
+  template <Mechanical Sys>
+  static collocated<Sys, stages> step(const Sys& system, typename Sys::scalar t, const collocated<Sys, stages>& from,
+                                      typename Sys::scalar h) {
+    return collocation_step<Sys, stages, tableau>(system, t, from, h).solved();
   }
 };
 
-}  // namespace pendula
+}  // namespace pendula::inline PENDULA_MACHINE

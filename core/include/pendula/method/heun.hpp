@@ -3,7 +3,7 @@
 
 #include "pendula/method/explicit_runge_kutta.hpp"
 
-namespace pendula {
+namespace pendula::inline PENDULA_MACHINE {
 
 inline constexpr butcher_tableau<2> heun_tableau{.name = "heun",
                                                  .order = 2,
@@ -12,4 +12,4 @@ inline constexpr butcher_tableau<2> heun_tableau{.name = "heun",
                                                  .source = "Heun, Z. Math. Phys. 45 (1900) 23"};
 using heun = explicit_runge_kutta<heun_tableau>;
 
-}  // namespace pendula
+}  // namespace pendula::inline PENDULA_MACHINE

@@ -3,7 +3,7 @@
 
 #include "pendula/method/gauss_collocation.hpp"
 
-namespace pendula {
+namespace pendula::inline PENDULA_MACHINE {
 
 inline constexpr collocation_table<1> midpoint_table{
     .name = "midpoint",
@@ -13,4 +13,4 @@ inline constexpr collocation_table<1> midpoint_table{
     .source = "Hairer, Lubich & Wanner, Geometric Numerical Integration (2006), II.1.3"};
 using midpoint = gauss_collocation<midpoint_table>;
 
-}  // namespace pendula
+}  // namespace pendula::inline PENDULA_MACHINE

@@ -4,7 +4,7 @@
 
 #include "pendula/concepts.hpp"
 
-namespace pendula {
+namespace pendula::inline PENDULA_MACHINE {
 
 // The parts are `outer` times the step from both ends inward, and the middle one, or the middle two, what is left.
 template <std::size_t parts, class S>
@@ -20,4 +20,4 @@ PENDULA_INLINE std::array<S, parts> parts_of_step(S h, const std::array<double, 
   return part;
 }
 
-}  // namespace pendula
+}  // namespace pendula::inline PENDULA_MACHINE

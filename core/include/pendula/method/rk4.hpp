@@ -3,7 +3,7 @@
 
 #include "pendula/method/explicit_runge_kutta.hpp"
 
-namespace pendula {
+namespace pendula::inline PENDULA_MACHINE {
 
 inline constexpr butcher_tableau<4> rk4_tableau{.name = "rk4",
                                                 .order = 4,
@@ -12,4 +12,4 @@ inline constexpr butcher_tableau<4> rk4_tableau{.name = "rk4",
                                                 .source = "Kutta, Z. Math. Phys. 46 (1901) 435"};
 using rk4 = explicit_runge_kutta<rk4_tableau>;
 
-}  // namespace pendula
+}  // namespace pendula::inline PENDULA_MACHINE

@@ -5,15 +5,15 @@
 #include <cmath>
 #include <vector>
 
+#include "pendula/description.hpp"
 #include "pendula/scalar/compensated.hpp"
 #include "pendula/scalar/polynomial_roots.hpp"
 #include "pendula/scalar/rough_powers.hpp"
-#include "pendula/system/double_pendulum_series.hpp"
-#include "pendula/system/one_bob_series.hpp"
+#include "pendula/system/series.hpp"
 
-namespace pendula {
+namespace pendula::inline PENDULA_MACHINE {
 
-template <SystemOver Sys>
+template <Analytic Sys>
 class taylor_stepper {
  public:
   using S = typename Sys::scalar;
@@ -48,12 +48,12 @@ class taylor_stepper {
   }
 
   // Places the motion at a state (θ…, ω…). Errors are in parts of a radian, or of the amplitude of a small swing.
-  void start(const state& y) {
+  void start(const S&, const state& y) {
     at_.head = system_.canonical(y);
     at_.tail.fill(S(0.0));
     const S energy = system_.kinetic_energy(y) + system_.potential_energy(y);
     const R amplitude_squared = rough((energy + energy) / system_.energy_scale());
-    const auto small = both(less(R(0.0), amplitude_squared), less(amplitude_squared, R(1.0)));
+    const auto small = mask_and(less(R(0.0), amplitude_squared), less(amplitude_squared, R(1.0)));
     log2_of_scale_ = choose(small, R(0.5) * rough_log2(amplitude_squared), R(0.0));
   }
 
@@ -63,11 +63,11 @@ class taylor_stepper {
   void resume(const memory& from) { at_ = from; }
   void proceed(const point& next) { at_ = next; }
 
-  // Works out the series at the point, and how far it reaches, forward in time or (direction −1) backward: as far as
-  // the first term left out stays below the error allowed. Four orders tell the radius of convergence, and the least
-  // counts: a motion from rest has none of the odd ones, one from rest at a right angle every fourth only.
-  PENDULA_INLINE void expand(double direction) {
-    series_.expand(system_, at_.head, at_.tail, inverse_.data());
+  // Works out the series at the point at time t, and how far it reaches, forward in time or (direction −1) backward: as
+  // far as the first term left out stays below the error allowed. Four orders tell the radius of convergence, and the
+  // least counts: a motion from rest has none of the odd ones, one from rest at a right angle every fourth only.
+  PENDULA_INLINE void expand(const head_and_tail<S>& t, double direction) {
+    series_.expand(system_, t, at_.head, at_.tail, inverse_.data());
     R radius = log2_of_radius(order_);
     for (int k = order_ - 1; k > order_ - 4; --k) {
       const R other = log2_of_radius(k);
@@ -83,7 +83,7 @@ class taylor_stepper {
   state state_of(const point& there) const { return system_.from_canonical(there.head); }
 
   const Sys& of() const { return system_; }
-  std::int64_t evaluations() const { return expansions_; }
+  std::int64_t evaluations(int = 0) const { return expansions_; }
 
   // Takes the trajectory of another stepper into a lane.
   template <class Other>
@@ -130,16 +130,23 @@ class taylor_stepper {
   }
 
  private:
-  // log2 |θ_k|, of the rod where it is larger.
+  // log2 |θ_k|, of the angle where it is largest.
   PENDULA_INLINE R log2_of_size(int k) const {
-    if constexpr (Sys::dimension == 2) {
-      return rough_log2(series_.velocity(0, k - 1) * inverse_[k]);
-    } else if constexpr (is_machine_number<S>) {
-      const S first = magnitude(series_.velocity(0, k - 1)), second = magnitude(series_.velocity(1, k - 1));
-      return rough_log2(choose(less(first, second), second, first) * inverse_[k]);
+    constexpr int freedom = degrees_of_freedom<Sys>;
+    if constexpr (has_bit_pattern<S>) {
+      S largest = magnitude(series_.velocity(0, k - 1));
+      for (int i = 1; i < freedom; ++i) {
+        const S other = magnitude(series_.velocity(i, k - 1));
+        largest = choose(less(largest, other), other, largest);
+      }
+      return rough_log2(largest * inverse_[k]);
     } else {  // whose exponents can be beyond those of a double
-      const R first = rough_log2(series_.velocity(0, k - 1)), second = rough_log2(series_.velocity(1, k - 1));
-      return choose(less(first, second), second, first) + rough_log2(inverse_[k]);
+      R largest = rough_log2(series_.velocity(0, k - 1));
+      for (int i = 1; i < freedom; ++i) {
+        const R other = rough_log2(series_.velocity(i, k - 1));
+        largest = choose(less(largest, other), other, largest);
+      }
+      return largest + rough_log2(inverse_[k]);
     }
   }
   PENDULA_INLINE R log2_of_radius(int k) const {
@@ -147,12 +154,12 @@ class taylor_stepper {
     return choose(less(R(500.0), radius), R(500.0), radius);  // a power of two can be made of that
   }
 
-  template <SystemOver>
+  template <Analytic>
   friend class taylor_stepper;
 
   Sys system_{};
   int order_;
-  series<Sys> series_;
+  typename Sys::series series_;
   std::vector<S> inverse_;  // 1/k
   double log2_of_error_;
   // a little more than the step of a small swing with the highest frequency: for what has no last terms, such as rest
@@ -167,12 +174,11 @@ struct taylor {
   static constexpr int order = 20;                // at the best tolerance
   static constexpr int evaluations_per_step = 1;  // of the series
   static constexpr bool adaptive = true, symplectic = false;
+  static constexpr facet needs = facet::analytic;
   static constexpr std::string_view source = "Jorba & Zou, Exp. Math. 14 (2005) 99";
 
-  template <SystemOver Sys>
-  static constexpr bool takes = true;
-  template <SystemOver Sys>
+  template <Analytic Sys>
   using stepper = taylor_stepper<Sys>;
 };
 
-}  // namespace pendula
+}  // namespace pendula::inline PENDULA_MACHINE

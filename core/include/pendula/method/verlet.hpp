@@ -4,10 +4,10 @@
 
 #include "pendula/method/drift_and_kick.hpp"
 
-namespace pendula {
+namespace pendula::inline PENDULA_MACHINE {
 
 inline constexpr composition_table<0> verlet_table{
     .name = "verlet", .order = 2, .outer = {}, .source = "Verlet, Phys. Rev. 159 (1967) 98"};
 using verlet = verlet_composition<verlet_table>;
 
-}  // namespace pendula
+}  // namespace pendula::inline PENDULA_MACHINE

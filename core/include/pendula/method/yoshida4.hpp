@@ -4,7 +4,7 @@
 
 #include "pendula/method/drift_and_kick.hpp"
 
-namespace pendula {
+namespace pendula::inline PENDULA_MACHINE {
 
 inline constexpr composition_table<1> yoshida4_table{.name = "yoshida4",
                                                      .order = 4,
@@ -12,4 +12,4 @@ inline constexpr composition_table<1> yoshida4_table{.name = "yoshida4",
                                                      .source = "Yoshida, Phys. Lett. A 150 (1990) 262"};
 using yoshida4 = verlet_composition<yoshida4_table>;
 
-}  // namespace pendula
+}  // namespace pendula::inline PENDULA_MACHINE

@@ -4,7 +4,7 @@
 
 #include "pendula/method/drift_and_kick.hpp"
 
-namespace pendula {
+namespace pendula::inline PENDULA_MACHINE {
 
 inline constexpr composition_table<3> yoshida6_table{
     .name = "yoshida6",
@@ -13,4 +13,4 @@ inline constexpr composition_table<3> yoshida6_table{
     .source = "Yoshida, Phys. Lett. A 150 (1990) 262"};
 using yoshida6 = verlet_composition<yoshida6_table>;
 
-}  // namespace pendula
+}  // namespace pendula::inline PENDULA_MACHINE

@@ -4,7 +4,7 @@
 
 #include "pendula/method/drift_and_kick.hpp"
 
-namespace pendula {
+namespace pendula::inline PENDULA_MACHINE {
 
 inline constexpr composition_table<7> yoshida8_table{
     .name = "yoshida8",
@@ -15,4 +15,4 @@ inline constexpr composition_table<7> yoshida8_table{
     .source = "Suzuki & Umeno, Springer Proc. Phys. 76 (1993) 74"};
 using yoshida8 = verlet_composition<yoshida8_table>;
 
-}  // namespace pendula
+}  // namespace pendula::inline PENDULA_MACHINE

@@ -3,7 +3,7 @@
 
 #include "pendula/scalar/choose.hpp"
 
-namespace pendula {
+namespace pendula::inline PENDULA_MACHINE {
 
 namespace detail {
 // (atan x − x)/x for |x| ≤ 7/16, x² given: the coefficients of fdlibm's s_atan.c (Sun Microsystems 1993).
@@ -47,4 +47,4 @@ PENDULA_INLINE S angle_of(S y, S x) {
   return times_sign_of(choose(less(x, S(0.0)), mirrored, within), y);
 }
 
-}  // namespace pendula
+}  // namespace pendula::inline PENDULA_MACHINE

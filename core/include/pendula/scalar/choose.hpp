@@ -5,29 +5,29 @@
 
 #include "pendula/scalar/pack.hpp"
 
-namespace pendula {
+namespace pendula::inline PENDULA_MACHINE {
 
-PENDULA_INLINE bool both(bool a, bool b) { return a && b; }
+PENDULA_INLINE bool mask_and(bool a, bool b) { return a && b; }
 template <LaneMask M>
-PENDULA_INLINE M both(M a, M b) {
+PENDULA_INLINE M mask_and(M a, M b) {
   return a & b;
 }
 
-PENDULA_INLINE bool either(bool a, bool b) { return a || b; }
+PENDULA_INLINE bool mask_or(bool a, bool b) { return a || b; }
 template <LaneMask M>
-PENDULA_INLINE M either(M a, M b) {
+PENDULA_INLINE M mask_or(M a, M b) {
   return a | b;
 }
 
-PENDULA_INLINE bool opposite(bool a) { return !a; }
+PENDULA_INLINE bool mask_not(bool a) { return !a; }
 template <LaneMask M>
-PENDULA_INLINE M opposite(M a) {
+PENDULA_INLINE M mask_not(M a) {
   return ~a;
 }
 
 template <class M>
 PENDULA_INLINE bool any_lane(M mask) {
-  return !all_lanes(opposite(mask));
+  return !all_lanes(mask_not(mask));
 }
 
 inline constexpr std::int64_t sign_bit = std::numeric_limits<std::int64_t>::min();
@@ -55,4 +55,4 @@ PENDULA_INLINE S parity_sign(S whole) {
   return from_bits<S>(bits(S(1.0)) | (bits(whole + S(whole_number_magic)) << 63));
 }
 
-}  // namespace pendula
+}  // namespace pendula::inline PENDULA_MACHINE

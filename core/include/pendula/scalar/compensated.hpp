@@ -3,17 +3,17 @@
 
 #include "pendula/scalar/product.hpp"
 
-namespace pendula {
+namespace pendula::inline PENDULA_MACHINE {
 
 template <class State>
 struct compensated_point {
   State head, tail;
 
-  // Kahan (1965), Comm. ACM 8, 40, with the exact error of each sum; numbers of many digits need none of it.
+  // Kahan (1965), Comm. ACM 8, 40, with the exact error of each sum; higher precision needs no compensation.
   PENDULA_INLINE compensated_point moved_by(const State& increment) const {
     compensated_point to = *this;
     for (std::size_t i = 0; i < head.size(); ++i) {
-      if constexpr (is_machine_number<typename State::value_type>) {
+      if constexpr (carries_rounding<typename State::value_type>) {
         const auto sum = two_sum(head[i], increment[i] + tail[i]);
         to.head[i] = sum.head;
         to.tail[i] = sum.tail;
@@ -25,4 +25,4 @@ struct compensated_point {
   }
 };
 
-}  // namespace pendula
+}  // namespace pendula::inline PENDULA_MACHINE

@@ -4,7 +4,7 @@
 #include "pendula/scalar/choose.hpp"
 #include "pendula/scalar/wide.hpp"
 
-namespace pendula {
+namespace pendula::inline PENDULA_MACHINE {
 
 template <class S>
 struct exponential_values {
@@ -35,4 +35,4 @@ PENDULA_INLINE exponential_values<S> exponential(wide<S> x) {
   return {{above, above_tail + power * p_tail}, wide<S>(fast_two_sum(below, below_tail + power * p_tail))};
 }
 
-}  // namespace pendula
+}  // namespace pendula::inline PENDULA_MACHINE

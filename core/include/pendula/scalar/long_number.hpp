@@ -10,7 +10,7 @@
 
 #include "pendula/scalar/rough_powers.hpp"
 
-namespace pendula {
+namespace pendula::inline PENDULA_MACHINE {
 
 template <int words>
 struct long_number {
@@ -191,4 +191,4 @@ long_number<words> long_number<words>::inverse() const {
   return result;
 }
 
-}  // namespace pendula
+}  // namespace pendula::inline PENDULA_MACHINE

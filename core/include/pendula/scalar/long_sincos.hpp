@@ -5,7 +5,7 @@
 
 #include "pendula/scalar/long_number.hpp"
 
-namespace pendula {
+namespace pendula::inline PENDULA_MACHINE {
 
 namespace detail {
 
@@ -90,4 +90,4 @@ struct elementary<long_number<words>> {
   }
 };
 
-}  // namespace pendula
+}  // namespace pendula::inline PENDULA_MACHINE

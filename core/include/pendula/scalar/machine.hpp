@@ -11,7 +11,7 @@
 #include <immintrin.h>
 #endif
 
-namespace pendula {
+namespace pendula::inline PENDULA_MACHINE {
 
 namespace detail {
 template <int W, class Place>
@@ -136,4 +136,4 @@ template <class S>
 S product_minus(S a, S b, S p);
 #endif
 
-}  // namespace pendula
+}  // namespace pendula::inline PENDULA_MACHINE

@@ -5,7 +5,7 @@
 
 #include "pendula/scalar/rough_powers.hpp"
 
-namespace pendula {
+namespace pendula::inline PENDULA_MACHINE {
 
 template <unsigned decimal_digits>
 using multiprecision =
@@ -25,4 +25,4 @@ struct elementary<multiprecision<decimal_digits>> {
   }
 };
 
-}  // namespace pendula
+}  // namespace pendula::inline PENDULA_MACHINE

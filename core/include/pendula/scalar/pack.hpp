@@ -9,7 +9,7 @@
 
 #include "pendula/concepts.hpp"
 
-namespace pendula {
+namespace pendula::inline PENDULA_MACHINE {
 
 // Lanes that one register holds.
 #if defined(__AVX512F__)
@@ -119,13 +119,21 @@ struct lanes<pack<T, W>> {
   static constexpr int count = W;
 };
 
-// Numbers that the processor computes with, as opposed to those made of several.
+// Whether signs, exponents and quadrants can be taken from the bits of a number: bits(x), from_bits<S>(pattern).
 template <class S>
-inline constexpr bool is_machine_number = false;
+inline constexpr bool has_bit_pattern = false;
 template <>
-inline constexpr bool is_machine_number<double> = true;
+inline constexpr bool has_bit_pattern<double> = true;
 template <class T, int W>
-inline constexpr bool is_machine_number<pack<T, W>> = true;
+inline constexpr bool has_bit_pattern<pack<T, W>> = true;
+
+// Whether coefficients with the digits of a double are as good as any.
+template <class S>
+inline constexpr bool has_double_precision = has_bit_pattern<S>;
+
+// Whether the rounding error of a sum or product is worth carrying along: not where there are digits to spare.
+template <class S>
+inline constexpr bool carries_rounding = has_bit_pattern<S>;
 
 PENDULA_INLINE double lane(double x, int) { return x; }
 template <class T, int W>
@@ -190,4 +198,4 @@ PENDULA_INLINE auto finite(const vec<S, d>& y) {
   return equal(sum - sum, S(0.0));
 }
 
-}  // namespace pendula
+}  // namespace pendula::inline PENDULA_MACHINE

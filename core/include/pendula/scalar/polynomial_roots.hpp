@@ -4,7 +4,9 @@
 #include <array>
 #include <cmath>
 
-namespace pendula {
+#include "pendula/build.hpp"
+
+namespace pendula::inline PENDULA_MACHINE {
 
 inline constexpr int most_coefficients = 65;
 
@@ -92,4 +94,4 @@ void each_crossing(const polynomial& p, double end, double noise, Visit&& visit)
   detail::crossings_within(p, 0.0, end, noise, visit);
 }
 
-}  // namespace pendula
+}  // namespace pendula::inline PENDULA_MACHINE

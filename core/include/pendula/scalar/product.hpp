@@ -3,7 +3,7 @@
 
 #include "pendula/scalar/machine.hpp"
 
-namespace pendula {
+namespace pendula::inline PENDULA_MACHINE {
 
 template <class S>
 struct head_and_tail {
@@ -43,11 +43,11 @@ PENDULA_INLINE head_and_tail<S> two_product(S a, S b) {
   }
 }
 
-// a b − c d to a rounding or two, however much cancels (Kahan; Jeannerod, Louvet & Muller 2013); numbers of more digits
-// have some to lose.
+// a b − c d to a rounding or two, however much cancels (Kahan; Jeannerod, Louvet & Muller 2013); higher
+// precision needs no compensation.
 template <class S>
 PENDULA_INLINE S difference_of_products(S a, S b, S c, S d) {
-  if constexpr (!is_machine_number<S>) {
+  if constexpr (!carries_rounding<S>) {
     return a * b - c * d;
   } else {
     const auto [p, p_error] = two_product(a, b);
@@ -56,4 +56,4 @@ PENDULA_INLINE S difference_of_products(S a, S b, S c, S d) {
   }
 }
 
-}  // namespace pendula
+}  // namespace pendula::inline PENDULA_MACHINE

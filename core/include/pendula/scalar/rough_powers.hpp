@@ -4,12 +4,12 @@
 #include "pendula/scalar/choose.hpp"
 #include "pendula/scalar/sincos.hpp"
 
-namespace pendula {
+namespace pendula::inline PENDULA_MACHINE {
 
 // What is left of a number where few digits are enough: itself, or a double where it is made of several.
 template <class S>
 PENDULA_INLINE auto rough(const S& x) {
-  if constexpr (is_machine_number<S>) {
+  if constexpr (has_bit_pattern<S>) {
     return x;
   } else {
     return elementary<S>::rough(x);
@@ -21,13 +21,13 @@ using roughly = decltype(rough(std::declval<S>()));
 // log2 |x| to 1e-4; of zero about −1023. The polynomial is the interpolant at Chebyshev's nodes.
 template <class S>
 PENDULA_INLINE roughly<S> rough_log2(const S& x)
-  requires(!is_machine_number<S>)
+  requires(!has_bit_pattern<S>)
 {
   return elementary<S>::rough_log2(x);
 }
 template <class S>
 PENDULA_INLINE S rough_log2(S x)
-  requires is_machine_number<S>
+  requires has_bit_pattern<S>
 {
   const auto pattern = bits(x) & ~sign_bit;
   const S exponent = from_bits<S>((pattern >> 52) + bits(0x1p52)) - S(0x1p52 + 1023.0);
@@ -44,4 +44,4 @@ PENDULA_INLINE S rough_exp2(S x) {
   return part * from_bits<S>((bits(n + S(whole_number_magic)) + 1023) << 52);
 }
 
-}  // namespace pendula
+}  // namespace pendula::inline PENDULA_MACHINE

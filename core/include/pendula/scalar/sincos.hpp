@@ -4,7 +4,7 @@
 
 #include "pendula/scalar/pack.hpp"
 
-namespace pendula {
+namespace pendula::inline PENDULA_MACHINE {
 
 inline constexpr double largest_angle = 0x1p26;  // 1.07e7 turns
 // The error is below the sum of both: units in the last place of the result, and parts of the angle, far less than
@@ -59,14 +59,14 @@ struct elementary;
 
 template <class S>
 PENDULA_INLINE sine_cosine<S> sincos(S x)
-  requires(!is_machine_number<S>)
+  requires(!has_bit_pattern<S>)
 {
   return elementary<S>::sincos(x);
 }
 
 template <class S>
 PENDULA_INLINE sine_cosine<S> sincos(S x)
-  requires is_machine_number<S>
+  requires has_bit_pattern<S>
 {
   const auto r = reduce_by_half_pi(x);
   const auto [s, c] = sincos_polynomials(r.angle);
@@ -83,9 +83,9 @@ PENDULA_INLINE std::array<sine_cosine<S>, 2> sincos(S x, S y) {
   return {sincos(x), sincos(y)};
 }
 PENDULA_INLINE std::array<sine_cosine<double>, 2> sincos(double x, double y) {
-  pack<double, 2> both(x);
-  both.set(1, y);
-  const auto [s, c] = sincos(both);
+  pack<double, 2> pair(x);
+  pair.set(1, y);
+  const auto [s, c] = sincos(pair);
   return {{{s[0], c[0]}, {s[1], c[1]}}};
 }
 
@@ -96,4 +96,4 @@ S one_minus_cos(S x) {
   return S(2.0) * s * s;
 }
 
-}  // namespace pendula
+}  // namespace pendula::inline PENDULA_MACHINE

@@ -4,7 +4,7 @@
 #include "pendula/scalar/sincos.hpp"
 #include "pendula/scalar/wide.hpp"
 
-namespace pendula {
+namespace pendula::inline PENDULA_MACHINE {
 
 template <class S>
 struct wide_pi {
@@ -25,4 +25,4 @@ PENDULA_INLINE sine_cosine<S> sincos_of_half_turns(wide<S> r) {
   return {choose(beyond, c, s) * sign, choose(beyond, s, c)};
 }
 
-}  // namespace pendula
+}  // namespace pendula::inline PENDULA_MACHINE

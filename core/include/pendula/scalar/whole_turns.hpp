@@ -6,7 +6,7 @@
 #include "pendula/scalar/sincos.hpp"
 #include "pendula/scalar/wide.hpp"
 
-namespace pendula {
+namespace pendula::inline PENDULA_MACHINE {
 
 inline constexpr double largest_turned_angle = 0x1p52;
 
@@ -18,4 +18,4 @@ inline double within_range_of_sine(double x) {
   return rounded(((wide<double>(x) - first) - second) - wide<double>(n * -0x1.f1976b7ed8fbcp-108));
 }
 
-}  // namespace pendula
+}  // namespace pendula::inline PENDULA_MACHINE

@@ -7,7 +7,7 @@
 #include "pendula/scalar/choose.hpp"
 #include "pendula/scalar/product.hpp"
 
-namespace pendula {
+namespace pendula::inline PENDULA_MACHINE {
 
 template <class S>
 struct wide {
@@ -111,4 +111,4 @@ PENDULA_INLINE wide<S> scaled(wide<S> x, S power) {
   return {x.hi * power, x.lo * power};
 }
 
-}  // namespace pendula
+}  // namespace pendula::inline PENDULA_MACHINE

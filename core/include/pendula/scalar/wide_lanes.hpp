@@ -4,7 +4,7 @@
 #include "pendula/scalar/machine.hpp"
 #include "pendula/scalar/wide.hpp"
 
-namespace pendula {
+namespace pendula::inline PENDULA_MACHINE {
 
 template <int W>
 PENDULA_INLINE wide<double> lane(const wide<pack<double, W>>& x, int i) {
@@ -40,4 +40,4 @@ PENDULA_INLINE wide<pack<double, W>> operator*(const wide<pack<double, W>>& a, c
   return a * spread<W>(b);
 }
 
-}  // namespace pendula
+}  // namespace pendula::inline PENDULA_MACHINE

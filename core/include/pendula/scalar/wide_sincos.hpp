@@ -7,7 +7,7 @@
 #include "pendula/scalar/rough_powers.hpp"
 #include "pendula/scalar/wide.hpp"
 
-namespace pendula {
+namespace pendula::inline PENDULA_MACHINE {
 
 inline constexpr double largest_wide_angle = 0x1p13;
 // Errors in parts of the result, and of the angle: next to a multiple of π/2 all that is left of it is right.
@@ -157,4 +157,4 @@ struct elementary<wide<R>> {
   }
 };
 
-}  // namespace pendula
+}  // namespace pendula::inline PENDULA_MACHINE

@@ -7,14 +7,23 @@
 // Herrera, Avila, Martinez & Acuña (2024), eq. 47, whose solution (49), (50) holds once the l1 of (50) is l2.
 #pragma once
 
+#include "pendula/description.hpp"
 #include "pendula/scalar/product.hpp"
 #include "pendula/scalar/sincos.hpp"
-#include "pendula/system/parameter.hpp"
 
-namespace pendula {
+namespace pendula::inline PENDULA_MACHINE {
+
+template <class S>
+class double_pendulum_series;
 
 struct double_pendulum {
   static constexpr std::string_view name = "double";
+  static constexpr capabilities can{.conservative = true,
+                                    .autonomous = true,
+                                    .closed_form = false,
+                                    .period = false,
+                                    .mapped = true,
+                                    .periodic = true};
   static constexpr std::array components{
       component{"theta1", "rad", 2.0943951023931957,
                 "angle of rod 1 from the downward vertical, counter-clockwise"},                      // 120°
@@ -48,14 +57,14 @@ struct double_pendulum {
   struct over {
     using scalar = S;
     static constexpr std::size_t dimension = 4;
-    static constexpr bool separable = false;
     using state = vec<S, dimension>;
+    using series = double_pendulum_series<S>;
 
     S A, B, C, D, E;
     S l1, l2;                                                  // drawn, not in the equations
     S determinant_floor = difference_of_products(A, B, C, C);  // A B − C², the mass matrix' least determinant
 
-    PENDULA_INLINE state rhs(const state& y) const {
+    PENDULA_INLINE state rhs(const S&, const state& y) const {
       const auto [first, second] = sincos(y[0], y[1]);
       const auto [s1, c1] = first;
       const auto [s2, c2] = second;
@@ -63,20 +72,20 @@ struct double_pendulum {
       const S sin_delta = s1 * c2 - c1 * s2, cos_delta = c1 * c2 + s1 * s2;
       const S coupling = C * cos_delta, turning = C * sin_delta;
       const S drop1 = D * s1 + turning * (y[3] * y[3]),
-              drop2 = E * s2 - turning * (y[2] * y[2]);                    // less the right sides
+              drop2 = E * s2 - turning * (y[2] * y[2]);                    // minus the right-hand sides
       const S inverse = S(1.0) / (determinant_floor + turning * turning);  // A B − C² cos² δ, without cancellation
       return {y[2], y[3], (coupling * drop2 - B * drop1) * inverse, (coupling * drop1 - A * drop2) * inverse};
     }
 
     // All that the canonical equations need of the angles. T is the system's scalar or lanes of it.
     template <class T>
-    struct posture {
+    struct configuration {
       T sine1, sine2;
       T turning, coupling;  // C sin δ, C cos δ
       T inverse;            // 1/(A B − C² cos² δ)
     };
     template <class T>
-    PENDULA_INLINE posture<T> posture_at(const vec<T, 2>& angles) const {
+    PENDULA_INLINE configuration<T> configuration_at(const vec<T, 2>& angles) const {
       const auto [first, second] = sincos(angles[0], angles[1]);
       const auto [s1, c1] = first;
       const auto [s2, c2] = second;
@@ -85,27 +94,22 @@ struct double_pendulum {
     }
     // p1 = A ω1 + C cos δ ω2, p2 = C cos δ ω1 + B ω2, solved for the velocities.
     template <class T>
-    PENDULA_INLINE vec<T, 2> velocities(const posture<T>& at, const vec<T, 2>& p) const {
+    PENDULA_INLINE vec<T, 2> velocities(const configuration<T>& at, const vec<T, 2>& p) const {
       return {(T(B) * p[0] - at.coupling * p[1]) * at.inverse, (T(A) * p[1] - at.coupling * p[0]) * at.inverse};
     }
     // ṗ1 = −C ω1 ω2 sin δ − D sin θ1, ṗ2 = +C ω1 ω2 sin δ − E sin θ2.
     template <class T>
-    PENDULA_INLINE vec<T, 2> forces(const posture<T>& at, const vec<T, 2>& omega) const {
+    PENDULA_INLINE vec<T, 2> forces(const T&, const configuration<T>& at, const vec<T, 2>& omega) const {
       const T exchange = at.turning * (omega[0] * omega[1]);
       return {-(exchange + T(D) * at.sine1), exchange - T(E) * at.sine2};
     }
 
-    PENDULA_INLINE state canonical_rhs(const state& z) const {
-      const auto at = posture_at<S>({z[0], z[1]});
-      const auto omega = velocities<S>(at, {z[2], z[3]}), force = forces<S>(at, omega);
-      return {omega[0], omega[1], force[0], force[1]};
-    }
     PENDULA_INLINE state canonical(const state& y) const {
-      const S coupling = posture_at<S>({y[0], y[1]}).coupling;
+      const S coupling = configuration_at<S>({y[0], y[1]}).coupling;
       return {y[0], y[1], A * y[2] + coupling * y[3], coupling * y[2] + B * y[3]};
     }
     PENDULA_INLINE state from_canonical(const state& z) const {
-      const auto omega = velocities<S>(posture_at<S>({z[0], z[1]}), {z[2], z[3]});
+      const auto omega = velocities<S>(configuration_at<S>({z[0], z[1]}), {z[2], z[3]});
       return {z[0], z[1], omega[0], omega[1]};
     }
 
@@ -117,9 +121,9 @@ struct double_pendulum {
     std::array<constant<S>, 7> constants() const {
       return {{{"A", A},
                {"B", B},
-               {"C", C},
+               {"C", C, true},
                {"D", D},
-               {"E", E},
+               {"E", E, true},
                {"determinant_floor", determinant_floor},
                {"energy_scale", energy_scale()}}};
     }
@@ -165,4 +169,6 @@ struct double_pendulum {
   }
 };
 
-}  // namespace pendula
+}  // namespace pendula::inline PENDULA_MACHINE
+
+#include "pendula/system/double_pendulum_series.hpp"

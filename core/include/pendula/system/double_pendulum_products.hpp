@@ -6,7 +6,7 @@
 #include "pendula/scalar/machine.hpp"
 #include "pendula/scalar/wide_lanes.hpp"
 
-namespace pendula::detail {
+namespace pendula::inline PENDULA_MACHINE::detail {
 
 template <class S>
 struct double_inverse {  // of the mass matrix, which is symmetric
@@ -121,4 +121,4 @@ struct double_products<double> : products_in_lanes<double, pack<double, 4>> {};
 template <>
 struct double_products<wide<double>> : products_in_lanes<wide<double>, wide<pack<double, 4>>> {};
 
-}  // namespace pendula::detail
+}  // namespace pendula::inline PENDULA_MACHINE::detail

@@ -13,21 +13,20 @@
 #include "pendula/system/double_pendulum_products.hpp"
 #include "pendula/system/series.hpp"
 
-namespace pendula {
+namespace pendula::inline PENDULA_MACHINE {
 
 template <class S>
 class double_pendulum_series {
  public:
-  using system = double_pendulum::over<S>;
-
   // The order is even.
   explicit double_pendulum_series(int order) : orders_(static_cast<std::size_t>(order) + 1) {}
 
-  // The motion from the point (θ1, θ2, p1, p2), whose angles go on in `tail`. `inverse` holds 1/k at place k.
-  PENDULA_INLINE void expand(const system& of, const vec<S, 4>& point, const vec<S, 4>& tail, const S* inverse) {
+  // From a point (θ1, θ2, p1, p2).
+  PENDULA_INLINE void expand(const double_pendulum::over<S>& of, const head_and_tail<S>&, const vec<S, 4>& point,
+                             const vec<S, 4>& tail, const S* inverse) {
     const auto pair = sincos(point[0], point[1]);
-    const auto [s1, c1] = turned_by(pair[0], tail[0]);
-    const auto [s2, c2] = turned_by(pair[1], tail[1]);
+    const auto [s1, c1] = sincos_with_tail(pair[0], tail[0]);
+    const auto [s2, c2] = sincos_with_tail(pair[1], tail[1]);
     const S sine = of.C * (s1 * c2 - c1 * s2), cosine = of.C * (c1 * c2 + s1 * s2);
     const S of_determinant = S(1.0) / (of.determinant_floor + sine * sine);
     const detail::double_inverse<S> mass{of.B * of_determinant, -(cosine * of_determinant), of.A * of_determinant};
@@ -119,9 +118,4 @@ class double_pendulum_series {
   std::vector<one_order> orders_;
 };
 
-template <class S>
-struct series_of<double_pendulum::over<S>> {
-  using type = double_pendulum_series<S>;
-};
-
-}  // namespace pendula
+}  // namespace pendula::inline PENDULA_MACHINE

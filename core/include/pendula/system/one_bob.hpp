@@ -1,10 +1,10 @@
 // A point mass on a massless rod: what the linear and the simple pendulum share.
 #pragma once
 
+#include "pendula/description.hpp"
 #include "pendula/scalar/sincos.hpp"
-#include "pendula/system/parameter.hpp"
 
-namespace pendula {
+namespace pendula::inline PENDULA_MACHINE {
 
 struct one_bob {
   static constexpr std::array components{component{"theta", "rad", 0.5235987755982989,  // 30°
@@ -16,7 +16,7 @@ struct one_bob {
 
   // All that the canonical equations need of the angle. T is the system's scalar or lanes of it.
   template <class T>
-  struct posture {
+  struct configuration {
     T acceleration;
   };
 
@@ -24,7 +24,6 @@ struct one_bob {
   struct over {
     using scalar = S;
     static constexpr std::size_t dimension = 2;
-    static constexpr bool separable = true;
     using state = vec<S, dimension>;
 
     S length, gravity, mass;
@@ -32,11 +31,11 @@ struct one_bob {
 
     // The canonical equations, with p = ω: the momentum m L² ω up to a constant factor, which changes no motion.
     template <class T>
-    PENDULA_INLINE vec<T, 1> velocities(const posture<T>&, const vec<T, 1>& p) const {
+    PENDULA_INLINE vec<T, 1> velocities(const configuration<T>&, const vec<T, 1>& p) const {
       return p;
     }
     template <class T>
-    PENDULA_INLINE vec<T, 1> forces(const posture<T>& at, const vec<T, 1>&) const {
+    PENDULA_INLINE vec<T, 1> forces(const T&, const configuration<T>& at, const vec<T, 1>&) const {
       return {at.acceleration};
     }
     PENDULA_INLINE state canonical(const state& y) const { return y; }
@@ -59,4 +58,4 @@ struct one_bob {
   };
 };
 
-}  // namespace pendula
+}  // namespace pendula::inline PENDULA_MACHINE

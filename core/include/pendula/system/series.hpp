@@ -1,30 +1,32 @@
-// The Taylor series of a motion belongs to its system: each header of a series names it here.
+// The Taylor series of a motion belongs to its system, which names it as its `series`.
 #pragma once
 
+#include "pendula/concepts.hpp"
+#include "pendula/scalar/product.hpp"
 #include "pendula/scalar/sincos.hpp"
 
-namespace pendula {
+namespace pendula::inline PENDULA_MACHINE {
 
-template <class Sys>
-struct series_of;
-
-// A series of a given order, made by `expand` from a point in canonical variables.
-template <class Series>
+// A series of a given even order, made by `expand` from a time and a point in canonical variables, each with the tail
+// it goes on with. `inverse` holds 1/k at place k.
+template <class Series, class Sys>
 concept SeriesOver =
-    requires(Series& series, const typename Series::system& system, const typename Series::system::state& point,
-             const typename Series::system::scalar& h, const typename Series::system::scalar* inverse) {
-      series.expand(system, point, point, inverse);
-      { series.increment(h, inverse) } -> std::same_as<typename Series::system::state>;
-      { series.velocity(0, 0) } -> std::convertible_to<typename Series::system::scalar>;
+    std::constructible_from<Series, int> &&
+    requires(Series& series, const Sys& system, const head_and_tail<typename Sys::scalar>& t,
+             const typename Sys::state& point, const typename Sys::scalar& h, const typename Sys::scalar* inverse) {
+      series.expand(system, t, point, point, inverse);
+      { series.increment(h, inverse) } -> std::same_as<typename Sys::state>;
+      { series.velocity(0, 0) } -> std::convertible_to<typename Sys::scalar>;
     };
 
-// Of an angle and its tail, from that of the angle: all that the tail is about is its rounding.
+template <class Sys>
+concept Analytic =
+    Mechanical<Sys> && Energetic<Sys> && requires { typename Sys::series; } && SeriesOver<typename Sys::series, Sys>;
+
+// Sine and cosine of angle + tail to first order in the tail, which is about the angle's rounding error.
 template <class S>
-PENDULA_INLINE sine_cosine<S> turned_by(sine_cosine<S> of_angle, S tail) {
+PENDULA_INLINE sine_cosine<S> sincos_with_tail(sine_cosine<S> of_angle, S tail) {
   return {of_angle.sin + of_angle.cos * tail, of_angle.cos - of_angle.sin * tail};
 }
 
-template <class Sys>
-using series = typename series_of<Sys>::type;
-
-}  // namespace pendula
+}  // namespace pendula::inline PENDULA_MACHINE

@@ -1,0 +1,23 @@
+// Runs of the Taylor method with numbers of many words, built for some counts of words
+// (core/src/long_runs_of_words.cpp).
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "pendula/kernels/result.hpp"
+
+namespace pendula {
+
+struct long_run_kernel {
+  int decimal_digits;  // that it computes with
+  // States at the request's times, and their tails.
+  run_result (*run)(const request&, const watcher&);
+};
+
+// From few digits to many: those built in each of two parts, and all.
+std::span<const long_run_kernel> shorter_long_runs();
+std::span<const long_run_kernel> longer_long_runs();
+std::vector<long_run_kernel> long_runs();
+
+}  // namespace pendula

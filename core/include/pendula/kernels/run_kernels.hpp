@@ -1,0 +1,48 @@
+// Runs of one trajectory, built for several machines into one program, which takes the best that its processor has. All
+// give the same bits.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+
+#include "pendula/drive/fixed_grid.hpp"
+#include "pendula/drive/outcome.hpp"
+#include "pendula/kernels/request.hpp"
+
+namespace pendula {
+
+// What a run can be taken up from: the time (head and tail) and the stepper's memory.
+using step_memory = std::array<double, 24>;
+
+// Whom a run hands its results to; `y` is a state (angles, velocities).
+struct receiver {
+  // An output, by its place among them; false ends the run.
+  virtual bool output(std::size_t place, double t, const double* y) = 0;
+  virtual void event(int place, double t, const double* y) = 0;
+  virtual void step(const step_memory& start) = 0;  // of an adaptive method
+  virtual bool go_on(double t) = 0;                 // asked every few milliseconds
+
+ protected:
+  ~receiver() = default;
+};
+
+struct run_end {
+  outcome ended = outcome::reached_end;
+  std::int64_t steps = 0, evaluations = 0;
+  double reached = 0.0;
+};
+
+struct run_kernel {
+  run_end (*solve)(const request&, receiver&);
+  // The motion again at the request's times, which follow one another from the start of a step on; null where the
+  // method knows nothing of the motion inside its steps.
+  run_end (*revisit)(const request&, const step_memory& from, receiver&);
+  // States after the steps 1, 2 … and, where the end is off the grid, there; null for methods without a grid.
+  void (*each_step)(const request&, receiver&);
+};
+
+// The kernel of this processor for the request's method. Requests are checked before.
+const run_kernel& kernel_for(const request&);
+
+}  // namespace pendula

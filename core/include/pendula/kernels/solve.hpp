@@ -1,0 +1,44 @@
+// One run of any method of the catalogue, with its dense output and its trust horizon.
+#pragma once
+
+#include <span>
+
+#include "pendula/kernels/result.hpp"
+#include "pendula/kernels/run_kernels.hpp"
+
+namespace pendula {
+
+// The run that is asked for, and its trust horizon where the request says `certify`. What does not go together is
+// refused (check.hpp). Runs with `digits` are those of long_runs.hpp.
+run_result solve(const request&, const watcher&);
+
+// Starts of steps, from which the motion between can be worked out again: all of them, or every so many.
+class step_starts {
+ public:
+  void add(const step_memory& start);
+  std::size_t size() const { return starts_.size(); }
+  const step_memory& operator[](std::size_t i) const { return starts_[i]; }
+  double time(std::size_t i) const { return starts_[i][0]; }
+
+ private:
+  std::vector<step_memory> starts_;
+  std::int64_t stride_ = 1, counted_ = 0;
+};
+
+// States at any times of a run that was made.
+class dense_output {
+ public:
+  dense_output(request run, step_starts starts, double reached);
+
+  double reached() const { return reached_; }  // the time up to which the run was made
+  // States (n, d) at times (n,) that follow one another in the direction of the run, within it. One next to the end of
+  // a step is left to the step before, which goes on to the next if the run itself did. False where `watch` ended it.
+  bool at(std::span<const double> times, double* states, const watcher& watch) const;
+
+ private:
+  request run_;
+  step_starts starts_;
+  double reached_;
+};
+
+}  // namespace pendula

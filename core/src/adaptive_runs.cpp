@@ -1,0 +1,117 @@
+// Runs of one trajectory with the methods that choose their steps.
+#include <cmath>
+#include <cstring>
+
+#include "pendula/catalog.hpp"
+#include "pendula/drive/adaptive.hpp"
+#include "pendula/kernels/run_kernels.hpp"
+
+namespace {
+
+using namespace pendula;
+
+template <class Memory>
+step_memory packed(const compensated_point<vec<double, 1>>& time, const Memory& memory) {
+  static_assert(sizeof time + sizeof memory <= sizeof(step_memory));
+  step_memory all{};
+  std::memcpy(all.data(), &time, sizeof time);
+  std::memcpy(all.data() + 2, &memory, sizeof memory);
+  return all;
+}
+
+// Hands outputs and events on to a receiver; states are computed only where there is an output.
+template <class Run>
+class reporter {
+ public:
+  // Outputs at the times, or, where there are none, at every step and the end; `next`: the place of the first.
+  reporter(std::span<const double> times, std::size_t next, receiver& to) : times_(times), next_(next), to_(to) {}
+
+  bool step(const Run& run, double stop) {
+    to_.step(packed(run.time(), run.stepper().remembered()));
+    if (times_.empty()) {
+      const bool at_end = stop == run.since_step(run.end());
+      output(run, at_end ? run.end() : last_time_in_step(run, stop));
+    }
+    while (next_ < times_.size() && reached(run, stop)) output(run, times_[next_]);
+    return true;
+  }
+  void event(const Run& run, int place, double tau) {
+    const auto y = run.stepper().state_of(run.stepper().after(tau));
+    to_.event(place, run.time_after(tau), y.data());
+  }
+
+ private:
+  bool reached(const Run& run, double stop) const {
+    return run.since_step(times_[next_]) * run.direction() <= stop * run.direction();
+  }
+  // Where the step stops; not after its end, so that an output asked for at that time comes from this step, too.
+  static double last_time_in_step(const Run& run, double stop) {
+    const double t = run.time_after(stop), length = run.stepper().length();
+    const bool beyond = run.since_step(t) * run.direction() > length * run.direction();
+    return beyond ? std::nextafter(t, -run.direction() * HUGE_VAL) : t;
+  }
+  void output(const Run& run, double t) {
+    const auto y = run.stepper().state_of(run.stepper().after(run.since_step(t)));
+    to_.output(next_++, t, y.data());
+  }
+
+  std::span<const double> times_;
+  std::size_t next_;
+  receiver& to_;
+};
+
+// Calls visit(stepper) for what is asked for; the stepper stands at the start.
+template <class Visit>
+run_end with_stepper(const request& asked, Visit&& visit) {
+  adaptive_result result;
+  with<systems>(asked.system.name, [&]<class Entry>() {
+    using Sys = typename Entry::template over<double>;
+    const Sys system = Entry::template make<double>(asked.system.form, asked.system.parameters.data());
+    with<adaptive_methods>(asked.method, [&]<class Method>() {
+      if constexpr (takes<Method, Entry>) {
+        typename Method::template stepper<Sys> stepper(system, log2_of_tolerance(asked.options));
+        typename Sys::state start;
+        std::copy_n(asked.state.begin(), start.size(), start.begin());
+        stepper.start(asked.t0, start);
+        result = visit(stepper);
+      }
+    });
+  });
+  return {result.ended, result.steps, result.evaluations, result.reached};
+}
+
+auto polls_of(receiver& to) {
+  return [&to](double t, std::int64_t) { return to.go_on(t); };
+}
+
+run_end solve(const request& asked, receiver& to) {
+  std::span<const double> times = asked.times;
+  if (asked.own_steps) times = {};
+  const bool at_start = times.empty() || times[0] == asked.t0;
+  if (at_start) to.output(0, asked.t0, asked.state.data());  // as it was given
+  if (asked.end() == asked.t0) return {outcome::reached_end, 0, 0, asked.t0};
+  return with_stepper(asked, [&]<class Stepper>(Stepper& stepper) {
+    adaptive_run<Stepper> run(stepper, asked.t0, asked.end(), asked.events);
+    const bool bounded = asked.own_steps && !asked.options.max_steps;
+    reporter<adaptive_run<Stepper>> report(times, at_start, to);
+    return run.to_end(bounded ? most_own_steps : asked.step_limit(), report, polls_of(to));
+  });
+}
+
+run_end revisit(const request& asked, const step_memory& from, receiver& to) {
+  return with_stepper(asked, [&]<class Stepper>(Stepper& stepper) {
+    compensated_point<vec<double, 1>> time;
+    typename Stepper::memory memory;
+    std::memcpy(&time, from.data(), sizeof time);
+    std::memcpy(&memory, from.data() + 2, sizeof memory);
+    stepper.resume(memory);
+    adaptive_run<Stepper> run(stepper, time, asked.end(), asked.direction());
+    return run.to_end(asked.step_limit(), reporter<adaptive_run<Stepper>>(asked.times, 0, to), polls_of(to));
+  });
+}
+
+}  // namespace
+
+namespace pendula::PENDULA_MACHINE {
+extern const run_kernel adaptive_runs{solve, revisit, nullptr};
+}  // namespace pendula::PENDULA_MACHINE

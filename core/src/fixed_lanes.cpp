@@ -1,0 +1,76 @@
+// Many trajectories through the lanes of the methods of fixed step.
+#include <array>
+#include <vector>
+
+#include "pendula/catalog.hpp"
+#include "pendula/drive/fixed.hpp"
+#include "pendula/kernels/lanes_kernels.hpp"
+
+namespace {
+
+using namespace pendula;
+
+constexpr int width = 2 * lanes_of_machine;  // one register fills the other's waiting
+using S = pack<double, width>;
+
+// The trajectories that move in lock step: all of them take the same steps.
+struct group {
+  std::array<std::size_t, width> trajectories;
+  int count = 0;
+
+  explicit group(ensemble_receiver& to) {
+    while (count < width && (trajectories[count] = to.next()) != no_more_work) ++count;
+  }
+  std::size_t in_lane(int l) const { return trajectories[l < count ? l : 0]; }  // the last ones may be the first again
+};
+
+template <class Method, class Entry>
+void run_group(const group& some, const request& asked, const ensemble_rows& rows,
+               std::span<const fixed_output> outputs, ensemble_receiver& to) {
+  using Sys = typename Entry::template over<S>;
+  constexpr std::size_t d = Sys::dimension;
+  std::vector<S> parameters(Entry::forms[asked.system.form].parameters.size());
+  typename Sys::state start;
+  for (int l = 0; l < width; ++l) {
+    const std::size_t n = some.in_lane(l);
+    for (std::size_t i = 0; i < parameters.size(); ++i) set_lane(parameters[i], l, rows.parameters_of(n)[i]);
+    for (std::size_t i = 0; i < d; ++i) set_lane(start[i], l, rows.state_of(n)[i]);
+  }
+  const Sys system = Entry::template make<S>(asked.system.form, parameters.data());
+  const auto sink = [&](std::size_t place, const auto& y) {
+    for (int l = 0; l < some.count; ++l) {
+      std::array<double, d> mine;
+      for (std::size_t i = 0; i < d; ++i) mine[i] = lane(y[i], l);
+      to.output(some.trajectories[l], place, mine.data());
+    }
+  };
+  const double step = asked.signed_step();
+  fixed_run<Method, Sys> drive(system, start, asked.t0, step, asked.step_limit());
+  const auto results = drive.through(outputs, sink, [&](std::int64_t) { return to.go_on(); });
+  for (int l = 0; l < some.count; ++l) {
+    const auto& [ended, outputs_reached, steps, evaluations] = results[l];
+    const double reached = time_reached(ended, steps, asked.t0, step, asked.end());
+    to.finish(some.trajectories[l], {ended, steps, evaluations, reached});
+  }
+}
+
+bool run(const request& asked, const ensemble_rows& rows, ensemble_receiver& to) {
+  const auto outputs = requested_times(asked.t0, asked.signed_step(), asked.times).outputs;
+  bool built = false;
+  with<systems>(asked.system.name, [&]<class Entry>() {
+    with<fixed_methods>(asked.method, [&]<class Method>() {
+      if constexpr (takes<Method, Entry>) {
+        built = true;
+        for (group some(to); some.count > 0 && to.go_on(); some = group(to))
+          run_group<Method, Entry>(some, asked, rows, outputs, to);
+      }
+    });
+  });
+  return built;
+}
+
+}  // namespace
+
+namespace pendula::PENDULA_MACHINE {
+extern const lanes_kernel fixed_lanes{run};
+}  // namespace pendula::PENDULA_MACHINE

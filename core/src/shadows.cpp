@@ -1,0 +1,62 @@
+// Shadows of motions, worked out with twice a double's digits.
+#include <vector>
+
+#include "pendula/catalog.hpp"
+#include "pendula/kernels/shadow_kernels.hpp"
+#include "pendula/scalar/wide_sincos.hpp"
+
+namespace {
+
+using namespace pendula;
+
+using number = wide<double>;
+
+template <class Sys>
+class taylor_shadow final : public shadow {
+ public:
+  taylor_shadow(const Sys& system, const request& asked)
+      : stepper_(system, -104.0), time_(asked.t0), direction_(asked.direction()) {
+    typename Sys::state start;
+    for (std::size_t i = 0; i < start.size(); ++i) start[i] = number(asked.state[i]);
+    stepper_.start(time_, start);
+    expand();
+  }
+
+  void proceed() override {
+    time_ = end();
+    stepper_.proceed(stepper_.after(number(stepper_.length())));
+    expand();
+  }
+  two_doubles step_end() const override { return {end().hi, end().lo}; }
+  void angles(two_doubles time, two_doubles* to) const override {
+    const auto there = stepper_.after(number(time.head, time.tail) - time_).head;
+    for (std::size_t i = 0; i < degrees_of_freedom<Sys>; ++i) to[i] = {there[i].hi, there[i].lo};
+  }
+
+ private:
+  void expand() { stepper_.expand({time_, number(0.0)}, direction_); }
+  number end() const { return time_ + number(stepper_.length()); }
+
+  taylor_stepper<Sys> stepper_;
+  number time_;
+  double direction_;
+};
+
+std::unique_ptr<shadow> make(const request& asked) {
+  std::unique_ptr<shadow> made;
+  with<systems>(asked.system.name, [&]<class Entry>() {
+    using Sys = typename Entry::template over<number>;
+    if constexpr (Analytic<Sys>) {
+      const std::vector<number> parameters(asked.system.parameters.begin(), asked.system.parameters.end());
+      made = std::make_unique<taylor_shadow<Sys>>(Entry::template make<number>(asked.system.form, parameters.data()),
+                                                  asked);
+    }
+  });
+  return made;
+}
+
+}  // namespace
+
+namespace pendula::PENDULA_MACHINE {
+extern const shadow_maker shadows{make};
+}  // namespace pendula::PENDULA_MACHINE
