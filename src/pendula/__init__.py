@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-__version__ = "0.1.0"
+from pendula._version import __version__ as __version__
 
 # Where each public name lives. The first use of any of them imports all that a run needs: no run
 # waits. The command line imports the modules by themselves, as its help has to be there at once.

@@ -20,13 +20,12 @@ from pendula.events import checked_events
 if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
 
-    import numpy as np
-    from numpy.typing import ArrayLike, NDArray
+    from numpy.typing import ArrayLike
 
+    from pendula._types import Array
     from pendula.events import Event
     from pendula.systems import System
 
-    Array = NDArray[np.float64]
 
 MOST_OWN_STEPS = 10**7  # of an adaptive method as outputs, if no limit is named: 400 MB
 LARGEST_TOLERANCE, BEST_TOLERANCE = 1e-3, 2.0**-52

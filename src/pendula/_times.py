@@ -10,9 +10,8 @@ import numpy as np
 from pendula._checks import LARGEST_COUNT
 
 if TYPE_CHECKING:
-    from numpy.typing import NDArray
+    from pendula._types import Array
 
-    Array = NDArray[np.float64]
 
 _ON_GRID = 1e-9  # of a spacing: an end nearer to the grid lies on it
 

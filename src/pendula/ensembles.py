@@ -20,13 +20,11 @@ from pendula.trust import digits_states
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    import numpy as np
-    from numpy.typing import ArrayLike, NDArray
+    from numpy.typing import ArrayLike
 
     from pendula._progress import Progress
+    from pendula._types import Array
     from pendula.events import Event
-
-    Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, eq=False, repr=False, kw_only=True)

@@ -11,12 +11,9 @@ from pendula._checks import LARGEST_COUNT, finite_number, one_of, whole_number
 if TYPE_CHECKING:
     from collections.abc import Iterable
 
-    import numpy as np
-    from numpy.typing import NDArray
-
+    from pendula._types import Array
     from pendula.systems import System
 
-    Array = NDArray[np.float64]
 
 _KINDS = ("angle", "velocity_zero", "tip_height")  # in the core's order
 _REST_OF_PI = 1.2246467991473532e-16  # π less the double nearest to it

@@ -23,13 +23,12 @@ from pendula.trajectory import Request, Trajectory, run_adaptive
 if TYPE_CHECKING:
     from collections.abc import Iterable
 
-    import numpy as np
-    from numpy.typing import ArrayLike, NDArray
+    from numpy.typing import ArrayLike
 
     from pendula._progress import Progress
+    from pendula._types import Array
     from pendula.events import Event
 
-    Array = NDArray[np.float64]
 
 MOST_OUTPUTS = 10**8  # of a run's own steps: 3 to 4 GB of states
 _PLAIN_SHARE = 0.02  # of the work of a certified run: the run itself

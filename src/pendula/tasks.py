@@ -17,9 +17,9 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from pendula._progress import Progress
+    from pendula._types import Array
     from pendula.events import Event
 
-    Array = NDArray[np.float64]
 
 MOST_THREADS = 1024
 _PLAIN_SHARE = 0.02  # of the work of a certified ensemble: the runs themselves

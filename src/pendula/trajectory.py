@@ -15,16 +15,14 @@ if TYPE_CHECKING:
     from collections.abc import Callable
     from os import PathLike
 
-    import numpy as np
     import pandas as pd
     import xarray as xr
     from matplotlib.figure import Figure
-    from numpy.typing import ArrayLike, NDArray
+    from numpy.typing import ArrayLike
 
+    from pendula._types import Array
     from pendula.events import Crossings, Event
     from pendula.systems import System
-
-    Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True)

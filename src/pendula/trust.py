@@ -10,15 +10,12 @@ from pendula import _engine
 from pendula._arguments import BEST_TOLERANCE, log2_of
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
     import numpy as np
     from numpy.typing import NDArray
 
+    from pendula._progress import Progress
+    from pendula._types import Array
     from pendula.systems import System
-
-    Array = NDArray[np.float64]
-    Progress = Callable[[float], None] | None
 
 PROBES = 100  # times at which the growth of errors is looked at
 PARTED = 1e-3  # rad, at which a run with doubles is taken to have parted from the motion

@@ -8,7 +8,7 @@ from time import process_time
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from pendula import _engine
 from pendula._arguments import (
@@ -28,11 +28,10 @@ from pendula.systems import DoublePendulum, System, check_system
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Sequence
 
+    from pendula._progress import StepProgress
+    from pendula._types import Array
     from pendula.trajectory import Trajectory
 
-    Progress = Callable[[str, float], None]
-
-Array = NDArray[np.float64]
 
 POINTS = 12
 _MOST_POINTS = 100
@@ -59,7 +58,7 @@ def work_precision(
     t0: float = 0.0,
     points: int = POINTS,
     timed: bool = True,
-    progress: Progress | None = None,
+    progress: StepProgress | None = None,
 ) -> WorkPrecision:
     """Run methods with ever smaller steps or tolerances, and see what their errors cost.
 

@@ -8,8 +8,8 @@ import time
 import uuid
 from typing import TYPE_CHECKING, Any
 
-from pendula import __version__
 from pendula._checks import extra
+from pendula._version import __version__
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator

@@ -17,7 +17,8 @@ if TYPE_CHECKING:
 
     import xarray as xr
 
-    from pendula.chunks.work import Arrays, Chunk, Index, Progress, Work
+    from pendula._progress import Progress
+    from pendula.chunks.work import Arrays, Chunk, Index, Work
 
 _MOST_THREADS = 1024
 

@@ -10,13 +10,14 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, Protocol
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterator, Mapping
+    from collections.abc import Iterator, Mapping
 
     from numpy.typing import NDArray
 
+    from pendula._progress import Progress
+
     Arrays = Mapping[str, NDArray[Any]]
     Index = tuple[int, ...]
-    Progress = Callable[[float], None] | None
 
 KEY = "pendula"  # the attribute that holds the recipe
 

@@ -19,10 +19,9 @@ from pendula.cli.run import (
 
 if TYPE_CHECKING:
     import click
-    import numpy as np
-    from numpy.typing import NDArray
 
     from pendula._engine import SystemEntry
+    from pendula._types import Array
 
 _INTERVALS = 500  # where no spacing is named
 
@@ -49,7 +48,7 @@ def _exact(entry: SystemEntry, **given: Any) -> None:
     deliver(run, out, force=given["force"], every_row=given["at"] is not None)
 
 
-def _times(t0: float, given: dict[str, Any]) -> list[float] | NDArray[np.float64]:
+def _times(t0: float, given: dict[str, Any]) -> list[float] | Array:
     from pendula._times import spaced
     from pendula.units import quantities
 

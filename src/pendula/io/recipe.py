@@ -6,9 +6,9 @@ import json
 import math
 from typing import TYPE_CHECKING, Any
 
-from pendula import __version__
 from pendula._checks import one_of
 from pendula._engine import methods
+from pendula._version import __version__
 from pendula.events import Crossings, described, event_from
 from pendula.systems import system_from
 from pendula.trajectory import Request, Trajectory
@@ -16,10 +16,7 @@ from pendula.trajectory import Request, Trajectory
 if TYPE_CHECKING:
     from pathlib import Path
 
-    import numpy as np
-    from numpy.typing import NDArray
-
-    Array = NDArray[np.float64]
+    from pendula._types import Array
 
 
 class NotATrajectoryError(ValueError):

@@ -10,14 +10,11 @@ from pendula._checks import extra
 from pendula.io.recipe import attributes
 
 if TYPE_CHECKING:
-    import numpy as np
     import pandas as pd
     import xarray as xr
-    from numpy.typing import NDArray
 
+    from pendula._types import Array
     from pendula.trajectory import Trajectory
-
-    Array = NDArray[np.float64]
 
 
 def columns(trajectory: Trajectory) -> dict[str, tuple[str, Array]]:

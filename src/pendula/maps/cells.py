@@ -15,9 +15,9 @@ if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
+    from pendula._types import Array
     from pendula.chunks import Chunk
 
-    Array = NDArray[np.float64]
 
 NAMES = ("theta1", "theta2")
 MOST_CELLS, MOST_OF_ALL = 10**6, 10**10  # along an angle, and in all: days of work

@@ -22,10 +22,10 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from pendula._progress import Progress
+    from pendula._types import Array
     from pendula.chunks import Chunk
     from pendula.systems import DoublePendulum
 
-    Array = NDArray[np.float64]
 
 TIGHTER = 1e-3  # the second run's tolerance, in parts of the first one's
 AGREEMENT = 1e-4  # of two flip times, in parts of them; of two angles at the end [rad]

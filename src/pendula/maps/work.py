@@ -5,9 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass, fields
 from typing import TYPE_CHECKING, Any, ClassVar
 
-from pendula import __version__
 from pendula._arguments import check_rounding_of_times
 from pendula._checks import positive_number
+from pendula._version import __version__
 from pendula.chunks import Variable, Work, run
 from pendula.maps.cells import Cells, checked_cells
 from pendula.systems import DoublePendulum
@@ -19,9 +19,8 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from pendula._progress import Progress
+    from pendula._types import Array
     from pendula.chunks import Chunk
-
-    Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True)

@@ -19,7 +19,8 @@ import numpy as np
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    Array = NDArray[np.float64]
+    from pendula._types import Array
+
 
 _TERMS = 15  # of the power series of 2^x for |x| ≤ ½: the next one is below 2^-55
 _DIGITS = Context(prec=60)

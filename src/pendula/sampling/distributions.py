@@ -15,7 +15,8 @@ from pendula.sampling.bits import exp2, log2_ratio, units
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    Array = NDArray[np.float64]
+    from pendula._types import Array
+
     Whole = NDArray[np.int64]
 
 

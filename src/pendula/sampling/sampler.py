@@ -23,9 +23,8 @@ from pendula.sampling.distributions import (
 )
 
 if TYPE_CHECKING:
-    from numpy.typing import NDArray
+    from pendula._types import Array
 
-    Array = NDArray[np.float64]
 
 LARGEST_SEED = 2**64 - 1
 

@@ -30,11 +30,11 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
+    from pendula._types import Array
     from pendula.analysis import WorkPrecision
     from pendula.study.schema import Convergence, Double, Elliptic, LinearModel, Period, Recipe
     from pendula.trajectory import Trajectory
 
-    Array = NDArray[np.float64]
 
 METHODS = ("euler", "heun", "rk4")
 

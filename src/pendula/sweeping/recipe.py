@@ -12,9 +12,7 @@ from pendula._times import spaced
 from pendula.sampling import Sampler, sampler_from
 
 if TYPE_CHECKING:
-    from numpy.typing import NDArray
-
-    Array = NDArray[np.float64]
+    from pendula._types import Array
 
 
 @dataclass(frozen=True)

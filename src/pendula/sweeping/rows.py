@@ -6,8 +6,9 @@ import math
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from pendula import __version__, _engine
+from pendula import _engine
 from pendula._progress import part
+from pendula._version import __version__
 from pendula.chunks import Axis, Variable, Work
 from pendula.systems import LinearPendulum, System
 from pendula.tasks import Task, checked_threads, run_task
@@ -19,10 +20,10 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from pendula._progress import Progress
+    from pendula._types import Array
     from pendula.chunks import Chunk
     from pendula.sweeping.recipe import SweepRecipe
 
-    Array = NDArray[np.float64]
 
 ROW, TIME = "row", "t"
 ENDS = tuple(name for name in _engine.OUTCOMES if name != "interrupted")  # by number
