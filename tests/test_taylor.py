@@ -20,8 +20,8 @@ from pendula import (
     exact,
     methods,
     solve,
-    trajectory,
 )
+from pendula.run import trajectory
 from stored import EPS, cases
 
 RODS = DoublePendulum.rods(gravity=9.81)

@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike
 
 if TYPE_CHECKING:
     from pendula._types import Array
-    from pendula.trajectory import Trajectory
+    from pendula.run.trajectory import Trajectory
 
 
 def angle_difference(run: Trajectory, reference: Trajectory) -> Array:

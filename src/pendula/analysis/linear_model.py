@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike
 
-from pendula.closed_form import exact
+from pendula.run.exact import exact
 from pendula.systems import LinearPendulum, SimplePendulum
 
 if TYPE_CHECKING:

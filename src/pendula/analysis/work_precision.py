@@ -11,18 +11,18 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from pendula import _engine
-from pendula._arguments import (
+from pendula._checks import LARGEST_COUNT, finite_number, whole_number
+from pendula.analysis.difference import angle_difference
+from pendula.analysis.method_work import MethodWork, WorkPrecision
+from pendula.run._arguments import (
     BEST_TOLERANCE,
     LARGEST_TOLERANCE,
     checked_method,
     checked_state,
     log2_of,
 )
-from pendula._checks import LARGEST_COUNT, finite_number, whole_number
-from pendula.analysis.difference import angle_difference
-from pendula.analysis.method_work import MethodWork, WorkPrecision
-from pendula.closed_form import exact
-from pendula.solving import solve
+from pendula.run.exact import exact
+from pendula.run.solve import solve
 from pendula.systems import DoublePendulum, System, check_system
 
 if TYPE_CHECKING:
@@ -30,7 +30,7 @@ if TYPE_CHECKING:
 
     from pendula._progress import StepProgress
     from pendula._types import Array
-    from pendula.trajectory import Trajectory
+    from pendula.run.trajectory import Trajectory
 
 
 POINTS = 12

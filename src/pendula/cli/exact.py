@@ -39,7 +39,7 @@ def _options(entry: SystemEntry) -> list[click.Parameter]:
 
 
 def _exact(entry: SystemEntry, **given: Any) -> None:
-    from pendula.closed_form import exact
+    from pendula.run.exact import exact
 
     system, start = system_of(entry, given), start_of(entry, given)
     t0 = seconds(given["t0"], "--t0")
@@ -49,7 +49,7 @@ def _exact(entry: SystemEntry, **given: Any) -> None:
 
 
 def _times(t0: float, given: dict[str, Any]) -> list[float] | Array:
-    from pendula._times import spaced
+    from pendula.run._times import spaced
     from pendula.units import quantities
 
     at, until, every = given["at"], given["until"], given["every"]

@@ -6,15 +6,15 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from pendula._checks import MissingExtraError, extra, one_of
+from pendula._writing import refuse_existing, replacing
 from pendula.io import files
 from pendula.io.recipe import NotATrajectoryError, attributes, from_attributes
 from pendula.io.tables import to_pandas, to_xarray
-from pendula.io.writing import refuse_existing, replacing
 
 if TYPE_CHECKING:
     from os import PathLike
 
-    from pendula.trajectory import Trajectory
+    from pendula.run.trajectory import Trajectory
 
 __all__ = ["NotATrajectoryError", "check_target", "load", "rerun", "save", "to_pandas", "to_xarray"]
 
@@ -75,8 +75,8 @@ def rerun(path: str | PathLike[str]) -> Trajectory:
     Raises:
         ValueError, FileNotFoundError: as for `load`.
     """
-    from pendula.closed_form import exact
-    from pendula.solving import solve
+    from pendula.run.exact import exact
+    from pendula.run.solve import solve
 
     old = load(path)
     asked = old.request

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from pathlib import Path
 
     from pendula._types import Array
-    from pendula.trajectory import Trajectory
+    from pendula.run.trajectory import Trajectory
 
     Read = tuple[str, Array, Array]
 

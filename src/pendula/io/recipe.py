@@ -9,9 +9,9 @@ from typing import TYPE_CHECKING, Any
 from pendula._checks import one_of
 from pendula._engine import methods
 from pendula._version import __version__
-from pendula.events import Crossings, described, event_from
+from pendula.run.events import Crossings, described, event_from
+from pendula.run.trajectory import Request, Trajectory
 from pendula.systems import system_from
-from pendula.trajectory import Request, Trajectory
 
 if TYPE_CHECKING:
     from pathlib import Path

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     import xarray as xr
 
     from pendula._types import Array
-    from pendula.trajectory import Trajectory
+    from pendula.run.trajectory import Trajectory
 
 
 def columns(trajectory: Trajectory) -> dict[str, tuple[str, Array]]:

@@ -26,7 +26,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
     from pendula._types import Array
-    from pendula.trajectory import Trajectory
+    from pendula.run.trajectory import Trajectory
 
 
 class Fit(Protocol):

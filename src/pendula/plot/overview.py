@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-    from pendula.trajectory import Trajectory
+    from pendula.run.trajectory import Trajectory
 
 _SECOND = "#0072b2"
 

@@ -19,9 +19,9 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
     from pendula._types import Array
+    from pendula.run.trajectory import Trajectory
     from pendula.study.notation import Numbers
     from pendula.study.runs import Comparison, Results
-    from pendula.trajectory import Trajectory
 
 
 class Figures:
