@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from pendula._late_methods import promise
 from pendula._version import __version__ as __version__
 
 # Where each public name lives. The first use of any of them imports all that a run needs: no run
@@ -38,6 +39,10 @@ _MODULES = (
     "units",
 )
 _OF_A_RUN = ("exact", "events", "sections", "solve", "trajectory", "trust")
+
+# A trajectory's methods that stand above it; each room attaches its own.
+promise("Trajectory", "pendula.io", "save", "to_pandas", "to_xarray")
+promise("Trajectory", "pendula.plot", "plot")
 
 if TYPE_CHECKING:
     from pendula import elliptic, events

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, fields
+from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 from pendula import _engine
 from pendula._checks import LARGEST_COUNT, check_finite, finite_array
+from pendula._late_methods import with_promised
 from pendula.run._arguments import MOST_OWN_STEPS, log2_of
 from pendula.systems import LinearPendulum, SimplePendulum
 
@@ -52,6 +54,7 @@ class Request:
     digits: int | None = None
 
 
+@with_promised
 @dataclass(frozen=True, eq=False)
 class Trajectory:
     """A motion at discrete times.
@@ -70,7 +73,7 @@ class Trajectory:
         events: times and states of each event asked for, in that order.
         trust_horizon: first time at which an angle of the run is off by more than `certify` [s];
             inf: not within the run; None: not asked.
-        dense: what `at` asks, of a run with steps of its own; made again where it is missing.
+        dense: what a run with steps of its own left for `at`; None: `at` makes the run again.
         precision: decimal digits that a run with `digits` was computed with; None: a double's.
     """
 
@@ -152,11 +155,7 @@ class Trajectory:
                 f"at needs a method with dense output, got {self._told()}; "
                 "ask solve for these times: solve(system, state, t, ...)"
             )
-        dense = self.dense
-        if dense is None:  # read from a file
-            dense = run_adaptive(self.system, self.method, asked, None)[-1]
-            object.__setattr__(self, "dense", dense)
-        last = dense.reached
+        last = self._dense.reached
         direction = -1.0 if last < asked.t0 else 1.0
         beyond = ((times - asked.t0) * direction < 0) | ((times - last) * direction > 0)
         if beyond.any():
@@ -166,44 +165,38 @@ class Trajectory:
             )
         order = np.argsort(direction * times, kind="stable")
         states = np.empty((times.size, asked.state.size))
-        states[order] = dense.at(np.ascontiguousarray(times[order]))
+        states[order] = self._dense.at(np.ascontiguousarray(times[order]))
         return states
+
+    @cached_property
+    def _dense(self) -> _engine.DenseOutput:
+        """What the run left, or, of one read from a file, the same run made again."""
+        if self.dense is not None:
+            return self.dense
+        again: _engine.DenseOutput = run_adaptive(self.system, self.method, self.request, None)[-1]
+        return again
 
     def _told(self) -> str:
         return repr(self.method) if self.request.digits is None else "a run with digits"
 
     def __getstate__(self) -> dict[str, Any]:
         """Without what can be made again."""
-        return {**self.__dict__, "dense": None}
+        kept = {field.name: getattr(self, field.name) for field in fields(self)}
+        return {**kept, "dense": None}
 
-    def to_xarray(self) -> xr.Dataset:
-        """A labelled dataset with units, energies, and the recipe in its attributes (extra: io)."""
-        from pendula.io import to_xarray
+    if TYPE_CHECKING:  # attached by the modules that define them
 
-        return to_xarray(self)
+        def to_xarray(self) -> xr.Dataset:
+            """See `pendula.io.to_xarray`."""
 
-    def to_pandas(self) -> pd.DataFrame:
-        """A table with a row for each time, units in the column names (extra: io)."""
-        from pendula.io import to_pandas
+        def to_pandas(self) -> pd.DataFrame:
+            """See `pendula.io.to_pandas`."""
 
-        return to_pandas(self)
+        def save(self, path: str | PathLike[str], *, overwrite: bool = False) -> None:
+            """See `pendula.io.save`."""
 
-    def save(self, path: str | PathLike[str], *, overwrite: bool = False) -> None:
-        """Write the trajectory; the name's ending chooses: .csv, .nc, .parquet or .zarr.
-
-        Raises:
-            ValueError: for another ending.
-            FileExistsError: where the path exists and `overwrite` is not set.
-        """
-        from pendula.io import save
-
-        save(self, path, overwrite=overwrite)
-
-    def plot(self) -> Figure:
-        """Angles, phase portrait or path, and energy error in one figure (extra: report)."""
-        from pendula.plot import trajectory
-
-        return trajectory(self)
+        def plot(self) -> Figure:
+            """See `pendula.plot.trajectory`."""
 
     def __repr__(self) -> str:
         span = f"t = {self.t[0]:g} … {self.t[-1]:g} s" if self.t.size else "no times"
