@@ -21,13 +21,13 @@ import numpy as np
 import xarray
 import zarr.storage
 
-import pendula.chunks.reading
+import pendula.many.chunks.reading
 from chunked import files, waves
 from pendula.chunks import Work, run
-from pendula.chunks.places import place_at
-from pendula.chunks.store import Store
+from pendula.many.chunks.places import place_at
+from pendula.many.chunks.store import Store
 
-IMPORTED = xarray, zarr.storage, pendula.chunks.reading
+IMPORTED = xarray, zarr.storage, pendula.many.chunks.reading
 
 KILLS = 10
 TRACED = ("open", "os.mkdir", "os.rename", "os.remove")  # told by Python before they are done

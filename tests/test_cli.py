@@ -14,10 +14,10 @@ import pytest
 
 import pendula
 from pendula import _engine
-from pendula._times import spaced
 from pendula.cli import app
 from pendula.cli.plots import curve
 from pendula.cli.solve import _times
+from pendula.run._times import spaced
 
 if TYPE_CHECKING:
     from collections.abc import Callable

@@ -17,7 +17,7 @@ from pendula.cli.wording import one_line
 from pendula.io import files
 
 if TYPE_CHECKING:
-    from pendula.trajectory import Trajectory
+    from pendula.run.trajectory import Trajectory
 
 SOLVE = "solve simple --method rk4 --step 1ms --until 1s"
 TAYLOR = "solve simple --until 1s"
@@ -151,7 +151,7 @@ def test_force_is_offered_only_where_it_helps(capsys: pytest.CaptureFixture[str]
 def test_a_bad_output_is_told_before_the_run(
     capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("pendula.solving.solve", lambda *_, **__: pytest.fail("it ran"))
+    monkeypatch.setattr("pendula.run.solve.solve", lambda *_, **__: pytest.fail("it ran"))
     told(f"{SOLVE} -o {EXISTING}".split(), 2, capsys)
 
 

@@ -184,7 +184,7 @@ def test_wrong_use_is_one_line(call: Call, line: str, told: str) -> None:
 
 
 def test_no_scheduler_is_one_line(call: Call, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("pendula.chunks.cluster._PATIENCE", "0.5s")
+    monkeypatch.setattr("pendula.many.chunks.cluster._PATIENCE", "0.5s")
     code, printed, said = call(f"{FLIP} --scheduler nowhere:1 -o flips.zarr")
     assert (code, printed) == (1, "")
     assert said.startswith("pendula: no Dask scheduler answers at 'nowhere:1'")
@@ -196,7 +196,7 @@ def test_too_little_memory_is_one_line(call: Call, monkeypatch: pytest.MonkeyPat
     def full(*_: object, **__: object) -> None:
         raise MemoryError
 
-    monkeypatch.setattr("pendula.maps.flip_map", full)
+    monkeypatch.setattr("pendula.many.maps.flip_map", full)
     code, _, said = call(FLIP)
     assert code == 1
     assert said == (
@@ -210,7 +210,7 @@ def test_too_little_memory_is_one_line(call: Call, monkeypatch: pytest.MonkeyPat
 MAP_THAT_TELLS = """
 import sys
 from pendula.cli import main
-from pendula.maps import cells, flip
+from pendula.many.maps import cells, flip
 cells.LARGEST_CHUNK = 50
 compute, first = flip.FlipMap.__call__, iter(["ready"])
 def told(*given):

@@ -206,7 +206,7 @@ def test_events_need_a_method_that_has_them(capsys: pytest.CaptureFixture[str]) 
 def test_own_steps_that_are_too_many_are_told_with_the_way_out(
     capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("pendula.trajectory.MOST_OWN_STEPS", 20)
+    monkeypatch.setattr("pendula.run.trajectory.MOST_OWN_STEPS", 20)
     assert main(["solve", "double", "--until", "1e12s"]) == 1
     printed = told(capsys)
     assert "taylor stopped after t = " in printed

@@ -16,7 +16,7 @@ from commands import interrupted
 from pendula import sweep
 from pendula.chunks import opened
 from pendula.cli.progress import work_bar
-from pendula.sweeping.rows import MISSING
+from pendula.many.sweep.rows import MISSING
 
 if TYPE_CHECKING:
     from commands import Call
@@ -164,7 +164,7 @@ def test_a_scheduler_that_is_not_there_is_one_line(
     call: Call, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     pytest.importorskip("distributed")
-    monkeypatch.setattr("pendula.chunks.cluster._PATIENCE", "0.3s")
+    monkeypatch.setattr("pendula.many.chunks.cluster._PATIENCE", "0.3s")
     code, printed, error = call("sweep rods.toml -o rods.zarr --scheduler tcp://127.0.0.1:9")
     assert (code, printed) == (1, "")
     assert error.startswith("pendula: no Dask scheduler answers at 'tcp://127.0.0.1:9'")
@@ -176,7 +176,7 @@ def test_a_cluster_that_is_lost_is_one_line(call: Call, monkeypatch: pytest.Monk
     def lost(*_: object, **__: object) -> None:
         raise RuntimeError("the cluster dropped the work; what is complete is kept")
 
-    monkeypatch.setattr("pendula.sweeping.running.run", lost)
+    monkeypatch.setattr("pendula.many.sweep.running.run", lost)
     code, _, error = call("sweep rods.toml -o rods.zarr")
     assert (code, error) == (
         1,
@@ -188,7 +188,7 @@ def test_too_little_memory_names_the_chunk(call: Call, monkeypatch: pytest.Monke
     def full(*_: object, **__: object) -> None:
         raise MemoryError
 
-    monkeypatch.setattr("pendula.sweeping.running.run", full)
+    monkeypatch.setattr("pendula.many.sweep.running.run", full)
     code, _, error = call("sweep rods.toml -o rods.zarr")
     assert code == 1
     assert (

@@ -23,7 +23,7 @@ distributed = pytest.importorskip("distributed")
 def test_no_worker_is_told(
     caplog: pytest.LogCaptureFixture, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("pendula.chunks.cluster._UNATTENDED", 0.1)
+    monkeypatch.setattr("pendula.many.chunks.cluster._UNATTENDED", 0.1)
     with (
         distributed.LocalCluster(n_workers=0, processes=False, dashboard_address=":0") as cluster,
         distributed.Client(cluster, set_as_default=False) as client,
@@ -139,7 +139,7 @@ def test_an_error_of_a_chunk_comes_back_as_it_is(client: Any, tmp_path: Path) ->
 def test_a_worker_of_another_version_is_refused(
     client: Any, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("pendula.chunks.cluster.__version__", "0.0.9")
+    monkeypatch.setattr("pendula.many.chunks.cluster.__version__", "0.0.9")
     with pytest.raises(RuntimeError, match=r"the worker has pendula .*, the caller 0\.0\.9"):
         run(waves(), client=client)
 
@@ -207,7 +207,7 @@ def test_what_is_no_address_is_refused_at_once(address: str) -> None:
 
 @pytest.mark.parametrize("address", ["tcp://127.0.0.1:1", "tcp://[::1]:1"])
 def test_no_scheduler_is_told_in_one_line(address: str, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("pendula.chunks.cluster._PATIENCE", "0.3s")
+    monkeypatch.setattr("pendula.many.chunks.cluster._PATIENCE", "0.3s")
     with pytest.raises(ConnectionError, match="^no Dask scheduler answers at 'tcp://") as told:
         connect(address)
     assert "\n" not in str(told.value)

@@ -13,7 +13,7 @@ import pytest
 import xarray as xr
 
 from pendula import DoublePendulum, SimplePendulum, divergence_map, solve
-from pendula.maps import cells as cells_of_map
+from pendula.many.maps import cells as cells_of_map
 
 RODS = DoublePendulum.rods()
 PI = math.pi

@@ -12,8 +12,8 @@ import pytest
 import pendula
 from pendula._engine import Method
 from pendula.cli.app import _pendula
+from pendula.many.sweep.reading import _RUN
 from pendula.study.errata import errata
-from pendula.sweeping.reading import _RUN
 from test_readme import ROOT, Block, blocks
 
 DOCS = ROOT / "docs"

@@ -10,8 +10,8 @@ import pytest
 from pendula import DoublePendulum, Ensemble, LinearPendulum, SimplePendulum, ensemble, solve
 from pendula._engine import methods
 from pendula.events import angle, flip, tip_height, velocity_zero
-from pendula.solving import _reached
-from pendula.trust import horizon
+from pendula.run.solve import _reached
+from pendula.run.trust import horizon
 
 if TYPE_CHECKING:
     from pendula.systems import System

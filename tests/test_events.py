@@ -15,12 +15,12 @@ from pendula import (
     LinearPendulum,
     SimplePendulum,
     ensemble,
-    events,
     poincare_section,
     solve,
     time_at,
 )
 from pendula.events import Event, angle, flip, tip_height, velocity_zero
+from pendula.run.events import described, event_from
 
 RODS = DoublePendulum.rods()
 SIMPLE = SimplePendulum(0.5, 9.81)
@@ -289,4 +289,4 @@ def test_events_are_values() -> None:
     assert flip(1) == angle(1, math.pi, every_turn=True)
     assert len({flip(1), flip(1), flip(2), velocity_zero(1)}) == 3
     for event in (flip(1), angle(2, -0.3, -1, 7), tip_height(0.1, 1, True)):
-        assert events.event_from(events.described(event)) == event
+        assert event_from(described(event)) == event

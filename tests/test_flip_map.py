@@ -14,7 +14,7 @@ import xarray as xr
 
 from pendula import DoublePendulum, SimplePendulum, __version__, flip_map, solve
 from pendula.events import flip
-from pendula.maps import cells as cells_of_map
+from pendula.many.maps import cells as cells_of_map
 
 RODS = DoublePendulum.rods()
 OTHER = DoublePendulum.bobs(1.0, 0.3, 0.7, 1.1)

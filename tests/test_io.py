@@ -12,10 +12,10 @@ import pytest
 
 import pendula
 from pendula import DoublePendulum, LinearPendulum, SimplePendulum, Trajectory, exact, solve
+from pendula._writing import replacing
 from pendula.events import angle, flip, tip_height, velocity_zero
 from pendula.io import files
 from pendula.io.recipe import attributes
-from pendula.io.writing import replacing
 
 RUNS = {
     "rods": lambda: solve(DoublePendulum.rods(1, 2, 0.7), (2, 2.5, 0, 0), 1.0, "rk4", step=1e-3),
@@ -127,7 +127,7 @@ def test_a_trusted_run_is_asked_for_again(
     tolerance = None if "digits" in asked else run.request.tolerance
     request = replace(run.request, **asked, tolerance=tolerance)  # type: ignore[arg-type]
     replace(run, request=request).save(tmp_path / "run.csv")
-    monkeypatch.setattr("pendula.solving.solve", solve_again)
+    monkeypatch.setattr("pendula.run.solve.solve", solve_again)
     pendula.rerun(tmp_path / "run.csv")
     assert given[0]["tolerance"] == tolerance
     assert {name: given[0][name] for name in asked} == asked

@@ -14,6 +14,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from pendula.many.sampling.bits import exp2
 from pendula.sampling import (
     Choice,
     Fixed,
@@ -25,7 +26,6 @@ from pendula.sampling import (
     Uniform,
     sampler_from,
 )
-from pendula.sampling.bits import exp2
 
 MIXED = Sampler(
     (

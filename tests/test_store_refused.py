@@ -15,8 +15,8 @@ import zarr
 
 from chunked import chunks_in, files, waves
 from pendula.chunks import opened, run
-from pendula.chunks.places import Folder
-from pendula.chunks.store import first_difference
+from pendula.many.chunks.places import Folder
+from pendula.many.chunks.store import first_difference
 
 
 @pytest.mark.parametrize(

@@ -15,8 +15,8 @@ import pendula
 from chunked import files
 from pendula import _engine, solve, sweep
 from pendula.chunks import opened
+from pendula.many.sweep.rows import ENDS, MISSING
 from pendula.sweeping import SweepRecipe, sweep_from
-from pendula.sweeping.rows import ENDS, MISSING
 from pendula.systems import system_from
 from swept import RODS, bits, recipe
 

@@ -74,6 +74,6 @@ def test_chunks_that_come_in_any_order_are_written_in_theirs(
     def shuffled(work: Work, **told: Any) -> Iterator[Any]:
         yield from computed(work, [(i,) for i in order], **told)
 
-    monkeypatch.setattr("pendula.sweeping.parquet.computed", shuffled)
+    monkeypatch.setattr("pendula.many.sweep.parquet.computed", shuffled)
     sweep(asked, mixed)
     assert mixed.read_bytes() == calm.read_bytes()

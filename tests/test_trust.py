@@ -16,7 +16,7 @@ from mpmath import mp
 
 import truth
 from pendula import DoublePendulum, LinearPendulum, SimplePendulum, solve
-from pendula.trust import digits_states, horizon
+from pendula.run.trust import digits_states, horizon
 from stored import cases
 
 if TYPE_CHECKING:

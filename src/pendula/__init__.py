@@ -8,35 +8,53 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-__version__ = "0.1.0"
+from pendula._late_methods import promise
+from pendula._version import __version__ as __version__
 
 # Where each public name lives. The first use of any of them imports all that a run needs: no run
 # waits. The command line imports the modules by themselves, as its help has to be there at once.
 _HOMES = {
     "systems": ("DoublePendulum", "LinearPendulum", "SimplePendulum"),
-    "closed_form": ("action", "exact", "time_at"),
-    "ensembles": ("Ensemble", "ensemble"),
-    "maps": ("divergence_map", "flip_map"),
-    "sections": ("poincare_section",),
-    "solving": ("methods", "solve"),
-    "trajectory": ("Trajectory",),
+    "run.exact": ("action", "exact", "time_at"),
+    "run.sections": ("poincare_section",),
+    "run.solve": ("methods", "solve"),
+    "run.trajectory": ("Trajectory",),
+    "many.ensembles": ("Ensemble", "ensemble"),
+    "many.maps": ("divergence_map", "flip_map"),
+    "many.sweep": ("sweep",),
     "io": ("load", "rerun"),
-    "sweeping": ("sweep",),
 }
-_MODULES = ("analysis", "chunks", "elliptic", "events", "io", "plot", "sampling", "study", "units")
-_OF_A_RUN = ("closed_form", "events", "sections", "solving", "systems", "trajectory", "trust")
+_MODULES = (
+    "analysis",
+    "chunks",
+    "elliptic",
+    "events",
+    "io",
+    "maps",
+    "plot",
+    "sampling",
+    "study",
+    "sweeping",
+    "systems",
+    "units",
+)
+_OF_A_RUN = ("exact", "events", "sections", "solve", "trajectory", "trust")
+
+# A trajectory's methods that stand above it; each room attaches its own.
+promise("Trajectory", "pendula.io", "save", "to_pandas", "to_xarray")
+promise("Trajectory", "pendula.plot", "plot")
 
 if TYPE_CHECKING:
     from pendula import elliptic, events
-    from pendula.closed_form import action, exact, time_at
-    from pendula.ensembles import Ensemble, ensemble
     from pendula.io import load, rerun
-    from pendula.maps import divergence_map, flip_map
-    from pendula.sections import poincare_section
-    from pendula.solving import methods, solve
-    from pendula.sweeping import sweep
+    from pendula.many.ensembles import Ensemble, ensemble
+    from pendula.many.maps import divergence_map, flip_map
+    from pendula.many.sweep import sweep
+    from pendula.run.exact import action, exact, time_at
+    from pendula.run.sections import poincare_section
+    from pendula.run.solve import methods, solve
+    from pendula.run.trajectory import Trajectory
     from pendula.systems import DoublePendulum, LinearPendulum, SimplePendulum
-    from pendula.trajectory import Trajectory
 
 __all__ = [
     "DoublePendulum",
@@ -68,7 +86,7 @@ def __getattr__(name: str) -> Any:
         return importlib.import_module(f"pendula.{name}")
     for home, names in _HOMES.items():
         if name in names:
-            for module in ("numpy", *(f"pendula.{each}" for each in _OF_A_RUN)):
+            for module in ("numpy", *(f"pendula.run.{each}" for each in _OF_A_RUN)):
                 importlib.import_module(module)
             return getattr(importlib.import_module(f"pendula.{home}"), name)
     raise AttributeError(f"module 'pendula' has no attribute {name!r}")

@@ -10,8 +10,9 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from collections.abc import Iterable
 
-    import numpy as np
-    from numpy.typing import ArrayLike, NDArray
+    from numpy.typing import ArrayLike
+
+    from pendula._types import Array
 
 LARGEST_COUNT = 2**53  # whole numbers are exact in a double up to here
 
@@ -55,7 +56,7 @@ def positive_number(name: str, value: object, unit: str = "", *, zero: bool = Fa
     return number
 
 
-def numbers_array(name: str, value: ArrayLike, unit: str = "") -> NDArray[np.float64]:
+def numbers_array(name: str, value: ArrayLike, unit: str = "") -> Array:
     """`value` as a contiguous array of doubles, a copy that its owner cannot change."""
     import numpy as np
 
@@ -68,14 +69,14 @@ def numbers_array(name: str, value: ArrayLike, unit: str = "") -> NDArray[np.flo
         raise ValueError(f"{name} must hold numbers{_in(unit)}, got {value!r}") from None
 
 
-def finite_array(name: str, value: ArrayLike, unit: str = "") -> NDArray[np.float64]:
+def finite_array(name: str, value: ArrayLike, unit: str = "") -> Array:
     """`value` as `numbers_array`, of numbers that are neither infinite nor NaN."""
     array = numbers_array(name, value, unit)
     check_finite(name, array, unit)
     return array
 
 
-def check_finite(name: str, array: NDArray[np.float64], unit: str = "") -> None:
+def check_finite(name: str, array: Array, unit: str = "") -> None:
     """Name the first number that is infinite or NaN."""
     import numpy as np
 
@@ -92,7 +93,7 @@ def check_finite(name: str, array: NDArray[np.float64], unit: str = "") -> None:
 
 def states_array(
     value: ArrayLike, components: tuple[str, ...], *, finite: bool = True, name: str = "state"
-) -> NDArray[np.float64]:
+) -> Array:
     """`value` as states of shape (..., d), finite unless the caller sees to that."""
     states = (finite_array if finite else numbers_array)(name, value)
     if states.ndim == 0 or states.shape[-1] != len(components):

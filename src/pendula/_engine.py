@@ -13,10 +13,8 @@ from typing import TYPE_CHECKING, cast
 from pendula import _core
 
 if TYPE_CHECKING:
-    import numpy as np
-    from numpy.typing import NDArray
+    from pendula._types import Array
 
-    Array = NDArray[np.float64]
 
 Description = _core.Description
 

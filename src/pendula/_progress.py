@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 Progress = Callable[[float], None] | None
+StepProgress = Callable[[str, float], None]  # what is being done, and the part that is done
 
 
 def part(progress: Progress, start: float, end: float) -> Progress:

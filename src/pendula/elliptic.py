@@ -17,10 +17,10 @@ from pendula._checks import whole_number
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    import numpy as np
-    from numpy.typing import ArrayLike, NDArray
+    from numpy.typing import ArrayLike
 
-    Array = NDArray[np.float64]
+    from pendula._types import Array
+
 
 __all__ = ["E", "F", "JacobiValues", "K", "K_series", "am", "sncndn"]
 

@@ -4,9 +4,13 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
+
+if TYPE_CHECKING:
+    from pendula._types import Array
 
 
 @dataclass(frozen=True)
@@ -64,7 +68,7 @@ def convergence_order(
     return ConvergenceOrder(order, math.exp(constant), used)
 
 
-def _line(x: NDArray[np.float64], y: NDArray[np.float64]) -> tuple[float, float]:
+def _line(x: Array, y: Array) -> tuple[float, float]:
     """Slope and height at 0 of the straight line through points, by least squares."""
     slope = float(np.sum((x - x.mean()) * (y - y.mean())) / np.sum((x - x.mean()) ** 2))
     return slope, float(y.mean() - slope * x.mean())

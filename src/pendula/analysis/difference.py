@@ -6,13 +6,14 @@ import math
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 if TYPE_CHECKING:
-    from pendula.trajectory import Trajectory
+    from pendula._types import Array
+    from pendula.run.trajectory import Trajectory
 
 
-def angle_difference(run: Trajectory, reference: Trajectory) -> NDArray[np.float64]:
+def angle_difference(run: Trajectory, reference: Trajectory) -> Array:
     """The largest difference of any angle, at each time of the reference.
 
     Angles are never wrapped: a turn more is a difference of τ.

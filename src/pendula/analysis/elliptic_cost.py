@@ -7,18 +7,20 @@ cos(θ0/2), exact to the last digit even where k itself rounds to 1.
 from __future__ import annotations
 
 import math
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from pendula import elliptic
 
+if TYPE_CHECKING:
+    from pendula._types import Array
+
 _LEAST_TOLERANCE = 1e-15
 
 
-def series_terms(
-    kc: ArrayLike, tolerance: float, *, largest: int = 1_000_000
-) -> NDArray[np.float64]:
+def series_terms(kc: ArrayLike, tolerance: float, *, largest: int = 1_000_000) -> Array:
     """How many terms the series of K needs for a given relative error.
 
     K = (τ/4) Σ [(2n)!/(2²ⁿ(n!)²)]² k²ⁿ (the paper's equation 26; DLMF 19.5.1).
@@ -60,7 +62,7 @@ def agm_iterations(kc: ArrayLike, tolerance: float) -> NDArray[np.int64]:
     return np.array(counts, dtype=np.int64).reshape(modulus.shape)
 
 
-def _checked(kc: ArrayLike, tolerance: float) -> NDArray[np.float64]:
+def _checked(kc: ArrayLike, tolerance: float) -> Array:
     modulus = np.asarray(kc, dtype=np.float64)
     if not np.all((modulus > 0) & (modulus <= 1)):
         raise ValueError("kc must lie in 0 < kc ≤ 1: at kc = 0 (the separatrix) K is infinite")

@@ -7,17 +7,21 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-from pendula.closed_form import exact
+from pendula.run.exact import exact
 from pendula.systems import LinearPendulum, SimplePendulum
+
+if TYPE_CHECKING:
+    from pendula._types import Array
 
 _SAMPLES_A_PERIOD = 200  # the largest error is found to (π/200)²/2 of itself, 1 in 8000
 
 
-def linear_model_error(amplitude: ArrayLike, swings: float = 1.0) -> NDArray[np.float64]:
+def linear_model_error(amplitude: ArrayLike, swings: float = 1.0) -> Array:
     """How far the linear solution strays from the exact one after a release from rest.
 
     It grows with the phase that the linear model gains, at small angles 2π θ0²/16 a period, since
@@ -43,7 +47,7 @@ def linear_model_error(amplitude: ArrayLike, swings: float = 1.0) -> NDArray[np.
     t = np.linspace(0.0, until, math.ceil(_SAMPLES_A_PERIOD * swings) + 1)
     states = np.stack([theta0.ravel(), np.zeros(theta0.size)], axis=-1)
     apart = exact(linear, states, t).states[..., 0] - exact(simple, states, t).states[..., 0]
-    largest: NDArray[np.float64] = np.abs(apart).max(axis=-1).reshape(theta0.shape) / theta0
+    largest: Array = np.abs(apart).max(axis=-1).reshape(theta0.shape) / theta0
     return largest
 
 

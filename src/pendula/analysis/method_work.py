@@ -7,17 +7,15 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import NDArray
 
-from pendula import __version__
 from pendula._checks import extra
+from pendula._version import __version__
 
 if TYPE_CHECKING:
     import pandas as pd
 
+    from pendula._types import Array
     from pendula.systems import System
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, eq=False)

@@ -8,31 +8,30 @@ from time import process_time
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from pendula import _engine
-from pendula._arguments import (
+from pendula._checks import LARGEST_COUNT, finite_number, whole_number
+from pendula.analysis.difference import angle_difference
+from pendula.analysis.method_work import MethodWork, WorkPrecision
+from pendula.run._arguments import (
     BEST_TOLERANCE,
     LARGEST_TOLERANCE,
     checked_method,
     checked_state,
     log2_of,
 )
-from pendula._checks import LARGEST_COUNT, finite_number, whole_number
-from pendula.analysis.difference import angle_difference
-from pendula.analysis.method_work import MethodWork, WorkPrecision
-from pendula.closed_form import exact
-from pendula.solving import solve
+from pendula.run.exact import exact
+from pendula.run.solve import solve
 from pendula.systems import DoublePendulum, System, check_system
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Sequence
 
-    from pendula.trajectory import Trajectory
+    from pendula._progress import StepProgress
+    from pendula._types import Array
+    from pendula.run.trajectory import Trajectory
 
-    Progress = Callable[[str, float], None]
-
-Array = NDArray[np.float64]
 
 POINTS = 12
 _MOST_POINTS = 100
@@ -59,7 +58,7 @@ def work_precision(
     t0: float = 0.0,
     points: int = POINTS,
     timed: bool = True,
-    progress: Progress | None = None,
+    progress: StepProgress | None = None,
 ) -> WorkPrecision:
     """Run methods with ever smaller steps or tolerances, and see what their errors cost.
 

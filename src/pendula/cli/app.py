@@ -11,8 +11,8 @@ from typing import TYPE_CHECKING
 
 import click
 
-from pendula import __version__
 from pendula._checks import MissingExtraError
+from pendula._version import __version__
 from pendula.cli import compare, exact, map, methods, period, solve, study, sweep
 from pendula.cli.groups import ChoiceGroup
 from pendula.cli.wording import one_line

@@ -12,8 +12,8 @@ from pendula.cli.tables import chosen_rows, digits_of, table
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
-    from pendula.events import Event
-    from pendula.trajectory import Trajectory
+    from pendula.run.events import Event
+    from pendula.run.trajectory import Trajectory
 
 EXAMPLES = "'flip 1', 'angle 1 0deg rising', 'velocity-zero 2' or 'tip-height 50cm falling end'"
 _NAME = "--event"
@@ -30,7 +30,7 @@ def event_of(text: str) -> Event:
     Raises:
         ValueError: for other words.
     """
-    from pendula import events
+    from pendula.run import events
 
     words = text.split()
     kind = words.pop(0) if words else ""

@@ -19,10 +19,9 @@ from pendula.cli.run import (
 
 if TYPE_CHECKING:
     import click
-    import numpy as np
-    from numpy.typing import NDArray
 
     from pendula._engine import SystemEntry
+    from pendula._types import Array
 
 _INTERVALS = 500  # where no spacing is named
 
@@ -40,7 +39,7 @@ def _options(entry: SystemEntry) -> list[click.Parameter]:
 
 
 def _exact(entry: SystemEntry, **given: Any) -> None:
-    from pendula.closed_form import exact
+    from pendula.run.exact import exact
 
     system, start = system_of(entry, given), start_of(entry, given)
     t0 = seconds(given["t0"], "--t0")
@@ -49,8 +48,8 @@ def _exact(entry: SystemEntry, **given: Any) -> None:
     deliver(run, out, force=given["force"], every_row=given["at"] is not None)
 
 
-def _times(t0: float, given: dict[str, Any]) -> list[float] | NDArray[np.float64]:
-    from pendula._times import spaced
+def _times(t0: float, given: dict[str, Any]) -> list[float] | Array:
+    from pendula.run._times import spaced
     from pendula.units import quantities
 
     at, until, every = given["at"], given["until"], given["every"]

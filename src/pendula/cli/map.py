@@ -91,7 +91,7 @@ def _map(kind: str, entry: SystemEntry, **given: Any) -> None:
 
 
 def _compute(kind: str, entry: SystemEntry, given: dict[str, Any]) -> None:
-    from pendula import maps
+    from pendula.many import maps
 
     out, picture = check_targets(given)
     asked = {**_asked(entry, given), **_OWN[kind](given)}

@@ -26,7 +26,7 @@ def check_targets(given: dict[str, Any]) -> tuple[str | None, Path | None]:
         OSError: where one cannot be written, or exists without --force.
     """
     from pendula._checks import extra
-    from pendula.io.writing import refuse_existing
+    from pendula._writing import refuse_existing
 
     out = given["out"]
     extra("xarray", "io")
@@ -45,7 +45,7 @@ def write(
     kind: str, found: xr.Dataset, out: str | None, picture: Path | None, given: dict[str, Any]
 ) -> None:
     """Draw first, so that a picture that fails leaves no file behind; a store is there already."""
-    from pendula.io.writing import replacing
+    from pendula._writing import replacing
 
     if picture is not None:
         from pendula import plot

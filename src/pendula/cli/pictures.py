@@ -43,7 +43,7 @@ def checked_picture(given: dict[str, Any]) -> Path | None:
         OSError: where it cannot be written, or exists without --force.
     """
     from pendula._checks import extra
-    from pendula.io.writing import refuse_existing
+    from pendula._writing import refuse_existing
 
     if given["picture"] is None:
         return None
@@ -65,7 +65,7 @@ def checked_picture(given: dict[str, Any]) -> Path | None:
 def write_picture(figure: Figure, picture: Path, given: dict[str, Any]) -> None:
     """All of a picture, or nothing."""
     from pendula import plot
-    from pendula.io.writing import replacing
+    from pendula._writing import replacing
 
     drawn = plot.picture(figure, picture.suffix[1:].lower())
     with replacing(picture, overwrite=given["force"]) as unfinished:

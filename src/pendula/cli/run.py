@@ -12,7 +12,7 @@ from pendula.cli.options import value
 if TYPE_CHECKING:
     from pathlib import Path
 
-    from pendula.trajectory import Trajectory
+    from pendula.run.trajectory import Trajectory
 
 _BEYOND = "the numbers grew beyond all bounds"
 _GREW = f"{_BEYOND}; take a smaller --step or a higher order"
@@ -71,7 +71,7 @@ def check_count(span: float, every: float, name: str) -> None:
     Raises:
         ValueError: naming the option whose value is too small.
     """
-    from pendula.solving import MOST_OUTPUTS
+    from pendula.run.solve import MOST_OUTPUTS
 
     if span / every > MOST_OUTPUTS:
         raise ValueError(

@@ -25,10 +25,8 @@ from pendula.cli.run import (
 )
 
 if TYPE_CHECKING:
-    import numpy as np
-    from numpy.typing import NDArray
-
     from pendula._engine import SystemEntry
+    from pendula._types import Array
 
 _SHOWN = 20_000  # most outputs of a run that is only printed
 _STANDARD = "taylor"
@@ -76,7 +74,7 @@ def _trust_options() -> list[click.Parameter]:
 
 def _solve(entry: SystemEntry, **given: Any) -> None:
     from pendula._checks import positive_number
-    from pendula.solving import solve
+    from pendula.run.solve import solve
 
     system, start = system_of(entry, given), start_of(entry, given)
     t0, until = seconds(given["t0"], "--t0"), seconds(given["until"], "--until")
@@ -105,10 +103,10 @@ def _number(text: str | None, unit: str, name: str) -> float | None:
 
 def _times(
     t0: float, until: float, step: float | None, every: str | None, *, thin: bool
-) -> float | NDArray[np.float64]:
+) -> float | Array:
     """The outputs asked for; without --every each step, or of a printed run every so many steps."""
     from pendula._checks import LARGEST_COUNT
-    from pendula._times import spaced
+    from pendula.run._times import spaced
 
     span = span_of(t0, until)
     if step is not None and span / step > LARGEST_COUNT:

@@ -46,7 +46,7 @@ def cluster(scheduler: str | None) -> Iterator[Any]:
     """The client of a scheduler, closed at the end; None without one. Errors are one line."""
     import logging
 
-    from pendula.chunks import connect
+    from pendula.many.chunks import connect
 
     logging.getLogger("distributed").setLevel(logging.CRITICAL)  # its errors are told in one line
     client = None if scheduler is None else connect(scheduler)

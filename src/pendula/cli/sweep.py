@@ -20,8 +20,8 @@ def _sweep(**given: Any) -> None:
 
 
 def _compute(given: dict[str, Any]) -> None:
-    from pendula.sweeping import read_sweep
-    from pendula.sweeping.running import ending_of, sweep
+    from pendula.many.sweep import read_sweep
+    from pendula.many.sweep.running import ending_of, sweep
 
     recipe, out = given["recipe"], given["out"]
     read, ending = read_sweep(recipe), ending_of(out)
@@ -56,7 +56,7 @@ def _ends(found: xr.Dataset) -> str:
     """How many runs ended how."""
     import numpy as np
 
-    from pendula.sweeping.rows import ENDS
+    from pendula.many.sweep.rows import ENDS
 
     counts = np.bincount(found["outcome"].values, minlength=len(ENDS))
     return ", ".join(f"{counts[i]} {name}" for i, name in enumerate(ENDS) if counts[i])

@@ -14,7 +14,7 @@ from pendula import _engine
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from pendula.trajectory import Trajectory
+    from pendula.run.trajectory import Trajectory
 
 ROWS = 11  # of a run: ten intervals
 _ENOUGH_FOR_A_CURVE = 20

@@ -6,19 +6,20 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from pendula._checks import MissingExtraError, extra, one_of
+from pendula._late_methods import method_of
+from pendula._writing import refuse_existing, replacing
 from pendula.io import files
 from pendula.io.recipe import NotATrajectoryError, attributes, from_attributes
 from pendula.io.tables import to_pandas, to_xarray
-from pendula.io.writing import refuse_existing, replacing
+from pendula.run.trajectory import Trajectory
 
 if TYPE_CHECKING:
     from os import PathLike
 
-    from pendula.trajectory import Trajectory
-
 __all__ = ["NotATrajectoryError", "check_target", "load", "rerun", "save", "to_pandas", "to_xarray"]
 
 
+@method_of(Trajectory)
 def save(trajectory: Trajectory, path: str | PathLike[str], *, overwrite: bool = False) -> None:
     """Write a trajectory; the name's ending chooses: .csv, .nc, .parquet or .zarr.
 
@@ -75,8 +76,8 @@ def rerun(path: str | PathLike[str]) -> Trajectory:
     Raises:
         ValueError, FileNotFoundError: as for `load`.
     """
-    from pendula.closed_form import exact
-    from pendula.solving import solve
+    from pendula.run.exact import exact
+    from pendula.run.solve import solve
 
     old = load(path)
     asked = old.request

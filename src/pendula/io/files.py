@@ -14,12 +14,9 @@ if TYPE_CHECKING:
     from collections.abc import Callable
     from pathlib import Path
 
-    import numpy as np
-    from numpy.typing import NDArray
+    from pendula._types import Array
+    from pendula.run.trajectory import Trajectory
 
-    from pendula.trajectory import Trajectory
-
-    Array = NDArray[np.float64]
     Read = tuple[str, Array, Array]
 
 MARK = "# pendula: "  # before the attributes, in the first line of a CSV file

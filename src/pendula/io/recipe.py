@@ -6,20 +6,17 @@ import json
 import math
 from typing import TYPE_CHECKING, Any
 
-from pendula import __version__
 from pendula._checks import one_of
 from pendula._engine import methods
-from pendula.events import Crossings, described, event_from
+from pendula._version import __version__
+from pendula.run.events import Crossings, described, event_from
+from pendula.run.trajectory import Request, Trajectory
 from pendula.systems import system_from
-from pendula.trajectory import Request, Trajectory
 
 if TYPE_CHECKING:
     from pathlib import Path
 
-    import numpy as np
-    from numpy.typing import NDArray
-
-    Array = NDArray[np.float64]
+    from pendula._types import Array
 
 
 class NotATrajectoryError(ValueError):

@@ -9,8 +9,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from pendula._checks import one_of
+from pendula._writing import refuse_existing, replacing
 from pendula.io.files import MARK
-from pendula.io.writing import refuse_existing, replacing
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence

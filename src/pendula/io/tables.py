@@ -7,17 +7,15 @@ from typing import TYPE_CHECKING
 
 from pendula import _engine
 from pendula._checks import extra
+from pendula._late_methods import method_of
 from pendula.io.recipe import attributes
+from pendula.run.trajectory import Trajectory
 
 if TYPE_CHECKING:
-    import numpy as np
     import pandas as pd
     import xarray as xr
-    from numpy.typing import NDArray
 
-    from pendula.trajectory import Trajectory
-
-    Array = NDArray[np.float64]
+    from pendula._types import Array
 
 
 def columns(trajectory: Trajectory) -> dict[str, tuple[str, Array]]:
@@ -47,6 +45,7 @@ def one_motion(trajectory: Trajectory, what: str) -> None:
         )
 
 
+@method_of(Trajectory)
 def to_pandas(trajectory: Trajectory) -> pd.DataFrame:
     """A table with a row for each time; columns such as "theta [rad]" (extra: io)."""
     pandas = extra("pandas", "io")
@@ -56,6 +55,7 @@ def to_pandas(trajectory: Trajectory) -> pd.DataFrame:
     return frame
 
 
+@method_of(Trajectory)
 def to_xarray(trajectory: Trajectory) -> xr.Dataset:
     """A dataset over t (and trajectory, for several), units on each variable (extra: io).
 

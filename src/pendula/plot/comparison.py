@@ -25,9 +25,8 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-    from pendula.trajectory import Trajectory
-
-Array = NDArray[np.float64]
+    from pendula._types import Array
+    from pendula.run.trajectory import Trajectory
 
 
 class Fit(Protocol):

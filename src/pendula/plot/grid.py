@@ -18,9 +18,9 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from numpy.typing import NDArray
 
+    from pendula._types import Array
     from pendula.plot.labels import Labels
 
-    Array = NDArray[np.float64]
 
 MOST = 1500  # cells along an axis of a picture: more than its pixels
 _AT_ONCE = 2**23  # cells read at once: 64 MB of times

@@ -19,6 +19,8 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
     from numpy.typing import NDArray
 
+    from pendula._types import Array
+
     Limits = tuple[float, float] | None
 
 _NEVER = "#8fb8d8"
@@ -136,9 +138,7 @@ def divergence_map(
     return figure
 
 
-def _logarithmic(
-    times: NDArray[np.float64], limits: Limits
-) -> tuple[NDArray[np.float64], Normalize | None]:
+def _logarithmic(times: Array, limits: Limits) -> tuple[Array, Normalize | None]:
     """Colours (n2, n1, 3) of times (n2, n1), and the scale; none where there is no flip."""
     from matplotlib.colors import LogNorm
 
@@ -154,7 +154,7 @@ def _logarithmic(
     return colours, norm
 
 
-def _above(values: NDArray[np.float64], few: float) -> float:
+def _above(values: Array, few: float) -> float:
     """The value that so small a part of them are below."""
     return float(np.sort(values)[int(few * values.size)])
 
@@ -173,9 +173,7 @@ def _rgb(colour: str) -> tuple[float, float, float]:
     return to_rgb(colour)
 
 
-def _drawn(
-    grid: Grid, colours: NDArray[np.float64], ticks: str, words: Labels
-) -> tuple[Figure, Axes]:
+def _drawn(grid: Grid, colours: Array, ticks: str, words: Labels) -> tuple[Figure, Axes]:
     """The cells as one image of pixels, on axes of angles."""
     ratio = grid.height / grid.width
     equal = 1 / _LONGEST <= ratio <= _LONGEST
@@ -224,9 +222,7 @@ def _key(figure: Figure, names: list[str], end: str, words: Labels) -> None:
         figure.legend(handles=handles, loc="outside upper left", ncols=3, handlelength=1.6)
 
 
-def _colour_bar(
-    figure: Figure, ax: Axes, norm: Normalize, values: NDArray[np.float64], label: str
-) -> Any:
+def _colour_bar(figure: Figure, ax: Axes, norm: Normalize, values: Array, label: str) -> Any:
     """The scale beside the map, as high as it; with arrows where values lie beyond its ends."""
     from matplotlib.cm import ScalarMappable
 

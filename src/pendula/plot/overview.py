@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from pendula._late_methods import method_of
 from pendula.plot.labels import Labels, labels
 from pendula.plot.style import (
     INK,
@@ -16,14 +17,20 @@ from pendula.plot.style import (
     panels,
     styled,
 )
+from pendula.run.trajectory import Trajectory
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-    from pendula.trajectory import Trajectory
 
 _SECOND = "#0072b2"
+
+
+@method_of(Trajectory)
+def plot(run: Trajectory) -> Figure:
+    """Angles, phase portrait or path, and energy error in one figure (extra: report)."""
+    return trajectory(run)
 
 
 @styled

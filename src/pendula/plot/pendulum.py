@@ -26,9 +26,9 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
+    from pendula._types import Array
     from pendula.systems import SimplePendulum
 
-Array = NDArray[np.float64]
 
 # Shades for curves that are no run: what a series of more and more terms, or periods, gives.
 _SHADES = ("#a9a5d1", "#8f86c4", "#7461b3", "#54278f", "#2d0a57")

@@ -19,7 +19,8 @@ from pendula.plot.labels import Labels
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
-    from numpy.typing import NDArray
+
+    from pendula._types import Array
 
 P = ParamSpec("P")
 
@@ -179,7 +180,7 @@ def logarithmic(ax: Axes, *axes: str) -> None:
         axis.set_minor_locator(NullLocator())
 
 
-def for_logarithm(values: NDArray[np.float64]) -> NDArray[np.float64]:
+def for_logarithm(values: Array) -> Array:
     """Errors with those left out that a logarithmic axis cannot show, or only them.
 
     That is zero, and what a method gives that blows up.

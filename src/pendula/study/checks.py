@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING
 
-from pendula.closed_form import exact
+from pendula.run.exact import exact
 from pendula.study.runs import REPETITIONS
 from pendula.systems import DoublePendulum, SimplePendulum
 

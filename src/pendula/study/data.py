@@ -11,8 +11,8 @@ if TYPE_CHECKING:
     from pathlib import Path
 
     from pendula.analysis import WorkPrecision
+    from pendula.run.trajectory import Trajectory
     from pendula.study.runs import Comparison, Results
-    from pendula.trajectory import Trajectory
 
     Columns = dict[str, Iterable[float | int | str]]
 

@@ -11,16 +11,16 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from pendula.solving import methods
+from pendula.run.solve import methods
 from pendula.study.errata import errata
 from pendula.study.runs import METHODS, REPETITIONS
 from pendula.study.work import work_facts
 
 if TYPE_CHECKING:
     from pendula.plot.labels import Labels
+    from pendula.run.trajectory import Trajectory
     from pendula.study.notation import Numbers
     from pendula.study.runs import Comparison, Results
-    from pendula.trajectory import Trajectory
 
 
 def facts(results: Results, words: Labels, numbers: Numbers, version: str) -> dict[str, Any]:

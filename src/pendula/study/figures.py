@@ -17,13 +17,11 @@ if TYPE_CHECKING:
     from pathlib import Path
 
     from matplotlib.figure import Figure
-    from numpy.typing import NDArray
 
+    from pendula._types import Array
+    from pendula.run.trajectory import Trajectory
     from pendula.study.notation import Numbers
     from pendula.study.runs import Comparison, Results
-    from pendula.trajectory import Trajectory
-
-    Array = NDArray[np.float64]
 
 
 class Figures:

@@ -12,8 +12,8 @@ if TYPE_CHECKING:
     from collections.abc import Mapping
 
     from pendula.plot.labels import Labels
+    from pendula.run.trajectory import Trajectory
     from pendula.study.runs import Results
-    from pendula.trajectory import Trajectory
 
 _INTERVAL = 0.02  # s between points; the page draws straight on from one to the next
 _ROUNDED = 1e4  # parts of a radian that are kept

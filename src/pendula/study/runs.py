@@ -20,8 +20,8 @@ from pendula.analysis import (
     series_terms,
     small_angle_limit,
 )
-from pendula.closed_form import exact
-from pendula.solving import solve
+from pendula.run.exact import exact
+from pendula.run.solve import solve
 from pendula.study.work import work
 from pendula.systems import DoublePendulum, LinearPendulum, SimplePendulum, System
 
@@ -30,11 +30,11 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
+    from pendula._types import Array
     from pendula.analysis import WorkPrecision
+    from pendula.run.trajectory import Trajectory
     from pendula.study.schema import Convergence, Double, Elliptic, LinearModel, Period, Recipe
-    from pendula.trajectory import Trajectory
 
-    Array = NDArray[np.float64]
 
 METHODS = ("euler", "heun", "rk4")
 

@@ -8,17 +8,14 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from pendula import __version__
 from pendula._checks import extra
+from pendula._version import __version__
 from pendula.plot.labels import labels
 from pendula.study.recipe import read_recipe
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
+    from pendula._progress import StepProgress
     from pendula.study.schema import Recipe
-
-    Progress = Callable[[str, float], None]
 
 # What every finished study holds.
 _MARKS = {"recipe.toml", "report.html", "report.pdf"}
@@ -33,7 +30,7 @@ def run_study(
     language: str = "en",
     *,
     overwrite: bool = False,
-    progress: Progress | None = None,
+    progress: StepProgress | None = None,
 ) -> Path:
     """Run the study and write its report.
 
@@ -71,7 +68,7 @@ def run_study(
 
 # A method that blows up overflows, which the report tells better than a warning.
 @np.errstate(over="ignore", invalid="ignore")
-def _write(recipe: Recipe, folder: Path, language: str, progress: Progress) -> None:
+def _write(recipe: Recipe, folder: Path, language: str, progress: StepProgress) -> None:
     from pendula.study.data import write_data
     from pendula.study.facts import facts
     from pendula.study.figures import Figures

@@ -6,7 +6,7 @@ import math
 from typing import TYPE_CHECKING, Any
 
 from pendula.analysis import time_scale, work_precision
-from pendula.solving import methods
+from pendula.run.solve import methods
 
 if TYPE_CHECKING:
     from pendula.analysis import WorkPrecision

@@ -9,10 +9,10 @@ from pendula import _engine
 from pendula._checks import states_array
 
 if TYPE_CHECKING:
-    import numpy as np
-    from numpy.typing import ArrayLike, NDArray
+    from numpy.typing import ArrayLike
 
-    Array = NDArray[np.float64]
+    from pendula._types import Array
+
 
 STANDARD_GRAVITY = 9.80665  # m/s², 3rd CGPM (1901)
 

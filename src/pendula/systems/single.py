@@ -11,10 +11,9 @@ from pendula._checks import finite_array, positive_number, states_array
 from pendula.systems.base import STANDARD_GRAVITY, System
 
 if TYPE_CHECKING:
-    import numpy as np
-    from numpy.typing import ArrayLike, NDArray
+    from numpy.typing import ArrayLike
 
-    Array = NDArray[np.float64]
+    from pendula._types import Array
 
 
 @dataclass(frozen=True)

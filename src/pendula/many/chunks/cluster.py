@@ -1,0 +1,136 @@
+"""Chunks on the workers of a Dask cluster."""
+
+from __future__ import annotations
+
+import logging
+import re
+import time
+import uuid
+from typing import TYPE_CHECKING, Any
+
+from pendula._checks import extra
+from pendula._version import __version__
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable, Iterator
+
+    from pendula.many.chunks.work import Arrays, Chunk, Compute
+
+_AHEAD = 2  # tasks for each thread of the workers: one runs, one waits
+_ADDRESS = re.compile(r"((tcp|tls|ws|wss|ucx|inproc)://)?(\[[^\s\]]+\]|[^\s:/]+):\d+")
+_PATIENCE = "10s"  # for a scheduler to answer
+_MOMENT, _UNATTENDED = 0.01, 5.0  # between looks at results, and at the workers [s]
+_LOG = logging.getLogger("pendula")
+
+
+def connect(scheduler: str) -> Any:
+    """A Client of the scheduler at an address such as tcp://host:8786 (extra: cluster).
+
+    Raises:
+        ValueError: for what is no address.
+        ConnectionError: where no scheduler answers.
+    """
+    distributed = extra("distributed", "cluster")
+    if not _ADDRESS.fullmatch(scheduler):
+        raise ValueError(
+            f"scheduler must be an address such as tcp://localhost:8786, got {scheduler!r}; "
+            "it is what dask scheduler prints when it starts"
+        )
+    try:
+        return distributed.Client(scheduler, timeout=_PATIENCE, set_as_default=False)
+    except (OSError, ValueError) as error:
+        raise ConnectionError(
+            f"no Dask scheduler answers at {scheduler!r} ({error}); start one with: dask scheduler"
+        ) from error
+
+
+def check_client(client: Any) -> None:
+    """Refuse what is not a Client of dask.distributed.
+
+    Raises:
+        ValueError: for anything else, such as an address.
+    """
+    if not isinstance(client, extra("distributed", "cluster").Client):
+        raise ValueError(
+            "client must be a Client of dask.distributed, such as "
+            f'distributed.Client("tcp://host:8786"), got {client!r}'
+        )
+
+
+def spread(
+    compute: Compute, chunks: Iterable[Chunk], client: Any, threads: int | None
+) -> Iterator[tuple[Chunk, Arrays]]:
+    """Each chunk with its arrays, in the order in which they are ready.
+
+    So few tasks are under way that the results fit in memory, however many chunks there are. A
+    chunk whose worker dies is computed by another; they are cancelled when the caller stops.
+
+    Raises:
+        RuntimeError: where a chunk ended several workers, or the scheduler is gone.
+    """
+    distributed = extra("distributed", "cluster")
+    run, waiting = uuid.uuid4().hex, iter(chunks)
+    ready = distributed.as_completed(loop=client.loop, with_results=True)
+    under_way: dict[Any, Chunk] = {}
+
+    def submit() -> None:
+        """Give the workers what they have room for; some may have come or gone."""
+        room = max(1, _AHEAD * sum(client.nthreads().values()))
+        while len(under_way) < room and (chunk := next(waiting, None)) is not None:
+            name = f"pendula-{run}-{'-'.join(map(str, chunk.index))}"
+            told = compute, chunk, threads or 1, __version__
+            future = client.submit(_computed, *told, key=name, pure=False)
+            under_way[future] = chunk
+            ready.add(future)
+
+    try:
+        submit()
+        while under_way:
+            future, arrays = _next(ready, client)
+            if isinstance(arrays, Exception):  # of a task that was cancelled
+                raise arrays
+            yield under_way.pop(future), arrays
+            del future  # the workers may forget it
+            submit()
+    except Exception as error:
+        lost = distributed.KilledWorker, distributed.CancelledError
+        if client.status == "running" and not isinstance(error, lost):
+            raise  # the chunk's own
+        raise RuntimeError(f"{_reason(error)}; what is complete is kept") from error
+    finally:
+        if client.status == "running":
+            client.cancel(list(under_way))
+
+
+def _next(ready: Any, client: Any) -> Any:
+    """The next result; it is told where no worker is there to make one, for that may take long."""
+    looked, told = time.monotonic(), False
+    while not ready.has_ready():
+        time.sleep(_MOMENT)
+        if not told and time.monotonic() - looked > _UNATTENDED:
+            looked, told = time.monotonic(), not client.nthreads()
+            if told:
+                _LOG.warning("no worker is at %s; waiting for one", client.scheduler.address)
+    return next(ready)
+
+
+def _computed(compute: Compute, chunk: Chunk, threads: int, version: str) -> Arrays:
+    """What runs on a worker."""
+    if version != __version__:
+        raise RuntimeError(
+            f"the worker has pendula {__version__}, the caller {version}; install the same"
+        )
+    return compute(chunk, threads, None)
+
+
+def _reason(error: Exception) -> str:
+    """What a cluster's failure was, in one line, and the way out."""
+    killed = getattr(error, "allowed_failures", None)
+    if killed is not None:
+        name = str(getattr(error, "task", "")).partition("-")[2].partition("-")[2]
+        return (
+            f"{killed + 1} workers ended with chunk ({name.replace('-', ', ')}) or one beside it; "
+            "see their logs, or take smaller chunks or workers with more memory"
+        )
+    reason = getattr(error, "reason", type(error).__name__)
+    return f"the cluster dropped the work ({reason}); mend it, then run the same call again"

@@ -1,0 +1,151 @@
+"""A store that is written chunk by chunk and can be killed at any moment.
+
+The root comes first: it holds the recipe. It says "unfinished" until all chunks are there. A chunk
+counts once all its variables have a file, each of the right size and, where they are on this
+machine, with the right checksum. All bytes follow from the recipe, so that the end does not depend
+on what happened on the way.
+"""
+
+from __future__ import annotations
+
+import json
+from typing import TYPE_CHECKING, Any
+
+from pendula.many.chunks.layout import CHECKSUM, ROOT, Layout, whole
+from pendula.many.chunks.work import KEY
+
+if TYPE_CHECKING:
+    from pendula.many.chunks.places import Place
+    from pendula.many.chunks.work import Arrays, Chunk, Index, Work
+
+
+class Store:
+    """What a work's chunks are put into; for one process at a time."""
+
+    def __init__(self, place: Place, work: Work) -> None:
+        self._place, self._work = place, work
+        self._layout = Layout(work)
+
+    def begin(self, *, resume: bool, overwrite: bool) -> list[Index]:
+        """Make the place a store of this work; the chunks that are missing.
+
+        Raises:
+            ValueError: where the store is of another recipe.
+            FileExistsError: where something else is there, or a store that was not asked for.
+        """
+        place, layout = self._place, self._layout
+        root = place.read(ROOT)
+        if root is None:
+            self._refuse_other_things()
+            place.write(ROOT, layout.unfinished)
+        else:
+            self._refuse_other_stores(root, resume=resume, overwrite=overwrite)
+            if overwrite:
+                place.clear(kept=ROOT)
+                place.write(ROOT, layout.unfinished)
+        place.sizes("")  # for the leftovers at the top
+        missing = self._missing()
+        spoilt = {key: data for key, data in layout.rest.items() if place.read(key) != data}
+        if missing or spoilt:
+            self._write_root(layout.unfinished)
+        for key, data in spoilt.items():
+            place.write(key, data)
+        return missing
+
+    def put(self, chunk: Chunk, arrays: Arrays) -> None:
+        """Write a chunk; it lasts once this returns."""
+        for key, data in self._layout.files(chunk, arrays).items():
+            self._place.write(key, data)
+
+    def told(self) -> str:
+        """How much of the work is there, for who has stopped it."""
+        names = ([*self._place.sizes(each.name)] for each in self._work.variables)
+        there = min(sum(name.startswith("c.") for name in each) for each in names)
+        return f"{there} of {len(list(self._work.indices()))} chunks are in {self._place}"
+
+    def finish(self) -> None:
+        """Say that all chunks are there."""
+        self._write_root(self._layout.root)
+
+    def _write_root(self, data: bytes) -> None:
+        if self._place.read(ROOT) != data:
+            self._place.write(ROOT, data)
+
+    def _missing(self) -> list[Index]:
+        """The chunks that lack a variable, or hold one that is cut short or spoilt."""
+        place, layout, work = self._place, self._layout, self._work
+        missing: set[Index] = set()
+        for variable in work.variables:
+            sizes, right = place.sizes(variable.name), layout.size(variable) + CHECKSUM
+            for index in work.indices():
+                name = layout.name(variable, index)
+                if index in missing:
+                    continue
+                if sizes.get(name) != right or not self._sound(f"{variable.name}/{name}"):
+                    missing.add(index)
+        return [index for index in work.indices() if index in missing]
+
+    def _sound(self, key: str) -> bool:
+        """Whether a file of the right size is what was written."""
+        if not self._place.checked:
+            return True
+        data = self._place.read(key)
+        return data is not None and whole(data)
+
+    def _refuse_other_things(self) -> None:
+        for name in self._place.occupied():
+            raise FileExistsError(
+                f"{self._place} exists and is not a store of pendula (it holds {name}); "
+                "choose another name"
+            )
+
+    def _refuse_other_stores(self, root: bytes, *, resume: bool, overwrite: bool) -> None:
+        place = self._place
+        there = recipe_of(root)
+        if there is None:
+            raise FileExistsError(
+                f"{place} exists and is not a store of pendula ({ROOT} holds no recipe); "
+                "choose another name"
+            )
+        if overwrite:
+            return
+        different = first_difference(there, json.loads(self._work.identity))
+        if different is not None:
+            name, old, new = different
+            raise ValueError(
+                f"{place} holds another computation: {name} is {old} there and {new} here; "
+                "choose another name, or pass overwrite=True"
+            )
+        if not resume:
+            raise FileExistsError(
+                f"{place} exists; pass resume=True to go on with it, overwrite=True to begin "
+                "anew, or choose another name"
+            )
+
+
+def recipe_of(root: bytes) -> Any:
+    """The recipe in a store's first file; None where there is none."""
+    try:
+        return json.loads(json.loads(root)["attributes"][KEY])
+    except (KeyError, TypeError, ValueError):
+        return None
+
+
+def first_difference(there: Any, here: Any, name: str = "") -> tuple[str, str, str] | None:
+    """The first place at which two recipes differ, with both values; None where they agree."""
+    if isinstance(there, dict) and isinstance(here, dict):
+        keys = {str(key): f"{name}.{key}" if name else str(key) for key in {**here, **there}}
+    elif isinstance(there, list) and isinstance(here, list) and len(there) == len(here):
+        there, here = (dict(zip(map(str, range(len(a))), a, strict=True)) for a in (there, here))
+        keys = {str(i): f"{name}[{i}]" for i in range(len(here))}
+    else:
+        same = there == here and type(there) is type(here)
+        return None if same else (name or "the recipe", json.dumps(there), json.dumps(here))
+    for key, full in keys.items():
+        if (key in there) != (key in here):
+            told = (json.dumps(each[key]) if key in each else "missing" for each in (there, here))
+            return (full, *told)  # type: ignore[return-value]
+        different = first_difference(there[key], here[key], full)
+        if different is not None:
+            return different
+    return None

@@ -1,0 +1,185 @@
+"""Many trajectories at once."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+from pendula._checks import check_progress, finite_number, states_array
+from pendula._progress import part
+from pendula.many.tasks import Runs, Task, checked_threads, run_task
+from pendula.run._arguments import (
+    checked_method,
+    checked_options,
+    output_times,
+)
+from pendula.run.trust import digits_states
+from pendula.systems import System, check_system
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from numpy.typing import ArrayLike
+
+    from pendula._progress import Progress
+    from pendula._types import Array
+    from pendula.run.events import Event
+
+
+@dataclass(frozen=True, eq=False, repr=False, kw_only=True)
+class Ensemble(Runs):
+    """What `ensemble` returns: n trajectories, with all that `Runs` says of them.
+
+    Attributes:
+        systems: the pendulum of all, or one of each.
+        method: the name of the method.
+        t: times of the outputs, (m,) [s].
+    """
+
+    systems: System | tuple[System, ...]
+    method: str
+    t: Array
+
+    def __len__(self) -> int:
+        return len(self.states)
+
+    def __repr__(self) -> str:
+        return f"<Ensemble of {len(self)} trajectories at {self.t.size} times by {self.method}>"
+
+    @property
+    def energy(self) -> Array:
+        """Total energy at the outputs, (n, m), NaN where a run did not come so far [J]."""
+        import numpy as np
+
+        systems = (self.systems,) if isinstance(self.systems, System) else self.systems
+        lacking = np.asarray(~np.isfinite(self.states).all(axis=-1))
+        states = np.where(lacking[..., np.newaxis], 0.0, self.states)
+        if len(systems) == 1:
+            energies = systems[0].energy(states)
+        else:
+            energies = np.stack(
+                [each.energy(mine) for each, mine in zip(systems, states, strict=True)]
+            )
+        energies[lacking] = np.nan
+        return energies
+
+
+def ensemble(
+    system: System | Sequence[System],
+    states: ArrayLike,
+    t: ArrayLike,
+    method: str = "taylor",
+    *,
+    t0: float = 0.0,
+    step: float | None = None,
+    tolerance: float | None = None,
+    max_steps: int | None = None,
+    events: Event | Iterable[Event] = (),
+    certify: float | None = None,
+    digits: int | None = None,
+    threads: int | None = None,
+    progress: Progress = None,
+) -> Ensemble:
+    """The motions from many states, or of many systems, or both.
+
+    Each has the bits that `solve` gives it alone, whatever the number of threads; what goes wrong
+    with one is told in its outcome, and leaves the others alone.
+
+    Args:
+        system: a pendulum, or n of the same kind and form.
+        states: (n, d) at time t0, or one state (d,) for n systems [rad, rad/s].
+        t: output times, as `solve` takes them, (m,), or the end time alone, m = 1 [s].
+        method: a name that `methods()` lists; all run through the processor's lanes, but those of
+            dop853 with events.
+        t0: time of the states [s].
+        step: as for `solve`.
+        tolerance: as for `solve`.
+        max_steps: most steps of each run. None: no limit.
+        events: as for `solve`.
+        certify: as for `solve`; takes some fifty times as long as the runs.
+        digits: as for `solve`, one trajectory after the other; where they cannot be had the states
+            are NaN and the outcome is "not_finite".
+        threads: None: one for each processor.
+        progress: told the part of the trajectories that is done, 0 to 1, some times a second.
+
+    Returns:
+        The ensemble, in the order of the states.
+
+    Raises:
+        ValueError: for an argument out of range.
+    """
+    check_progress(progress)
+    systems = _checked_systems(system)
+    kind = systems[0]
+    chosen = checked_method(method, kind)
+    origin = finite_number("t0", t0, "s")
+    times, _ = output_times(t, origin)
+    given = {"step": step, "tolerance": tolerance, "certify": certify, "max_steps": max_steps}
+    options = checked_options(systems, chosen, origin, times, digits, events, **given)
+    task = Task(kind.name, kind.form, chosen.name, origin, times, **options)
+    starts, parameters = _checked_rows(systems, states)
+    count = checked_threads(threads)
+    if digits is None:
+        found = run_task(task, parameters, starts, count, progress)
+    else:
+        found = _runs_with_digits(task, systems, starts, digits, progress)
+    asked = system if isinstance(system, System) else systems
+    return Ensemble(systems=asked, method=chosen.name, t=times, **vars(found))
+
+
+def _checked_systems(system: System | Sequence[System]) -> tuple[System, ...]:
+    """The systems, one or as many as there are states, all of a kind."""
+    if isinstance(system, System):
+        return (system,)
+    one = isinstance(system, str) or not isinstance(system, Iterable)
+    systems: tuple[Any, ...] = (system,) if one else tuple(system)
+    for each in systems:
+        check_system(each)
+    kinds = {(each.name, each.form) for each in systems}
+    if len(kinds) != 1:
+        told = ", ".join(sorted(" ".join(kind).strip() for kind in kinds)) or "none"
+        raise ValueError(
+            f"system must be one pendulum, or n of the same kind and form, got {told}; "
+            "make an ensemble of each kind"
+        )
+    return systems
+
+
+def _checked_rows(systems: tuple[System, ...], states: ArrayLike) -> tuple[Array, Array]:
+    """Starts (n, d) and parameters (n, p) or (1, p)."""
+    import numpy as np
+
+    starts = states_array(states, systems[0].components, name="states")
+    if starts.ndim == 1:
+        starts = np.tile(starts, (len(systems), 1))
+    if starts.ndim != 2 or (len(systems) > 1 and len(systems) != len(starts)):
+        raise ValueError(
+            f"states must be one for each trajectory, of shape (n, {starts.shape[-1]}), for "
+            f"{len(systems)} systems, got {starts.shape}"
+        )
+    parameters = np.array([list(each.parameters.values()) for each in systems])
+    return np.ascontiguousarray(starts), parameters
+
+
+def _runs_with_digits(
+    task: Task, systems: tuple[System, ...], starts: Array, digits: int, progress: Progress
+) -> Runs:
+    """Runs right to so many digits."""
+    import numpy as np
+
+    n, late = len(starts), task.t[task.t != task.t0]
+    states = np.full((n, task.t.size, starts.shape[1]), np.nan)
+    states[:, task.t == task.t0] = starts[:, np.newaxis]
+    outcomes, reached = np.full(n, "reached_end"), np.full(n, task.t[-1])
+    for i, start in enumerate(starts if late.size else ()):
+        system = systems[i % len(systems)]
+        share = part(progress, i / n, (i + 1) / n)
+        try:
+            states[i, task.t != task.t0] = digits_states(
+                system, start, late, task.t0, digits, share
+            )[0]
+        except ValueError:
+            outcomes[i], reached[i] = "not_finite", task.t0
+    steps = np.zeros(n, np.int64)
+    return Runs(states=states, outcomes=outcomes, n_steps=steps, reached=reached)

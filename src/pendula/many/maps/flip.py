@@ -1,0 +1,212 @@
+"""The flip map: how long it takes until a rod first passes the top (Heyl 2008)."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+from pendula._checks import flag, whole_number
+from pendula._progress import part
+from pendula.many.chunks import Variable
+from pendula.many.maps.cells import NAMES
+from pendula.many.maps.work import Map, checked_map
+from pendula.run._arguments import BEST_TOLERANCE, checked_tolerance
+from pendula.run.events import flip
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+    import numpy as np
+    import xarray as xr
+    from numpy.typing import NDArray
+
+    from pendula._progress import Progress
+    from pendula._types import Array
+    from pendula.many.chunks import Chunk
+    from pendula.systems import DoublePendulum
+
+
+TIGHTER = 1e-3  # the second run's tolerance, in parts of the first one's
+AGREEMENT = 1e-4  # of two flip times, in parts of them; of two angles at the end [rad]
+_UNDECIDED = 1e-12  # of the energy: nearer to the least that a flip needs, the run decides
+
+
+def flip_map(
+    system: DoublePendulum,
+    theta1: tuple[float, float],
+    theta2: tuple[float, float],
+    shape: tuple[int, int],
+    t_max: float,
+    which: int | None = None,
+    *,
+    tolerance: float = 1e-8,
+    resolve: bool = True,
+    store: str | Path | None = None,
+    client: Any = None,
+    threads: int | None = None,
+    progress: Progress = None,
+    resume: bool = True,
+    overwrite: bool = False,
+) -> xr.Dataset:
+    """The time until a rod first flips, from rest at each pair of angles of a rectangle.
+
+    A rod flips when it first passes the top next to its start, ±π beyond the lowest point of its
+    own turn. Where the energy is less than a flip needs the cell is forbidden, and nothing is run;
+    where the rectangle is symmetric about rest, half the cells are run. A cell has the same bits
+    whatever the threads, chunks or workers.
+
+    Args:
+        system: a double pendulum.
+        theta1: range of the first angle, (lo, hi) [rad]; the cells' centres are run.
+        theta2: of the second.
+        shape: cells along each.
+        t_max: how long to wait for a flip [s].
+        which: rod 1 or 2; None: the one that is first.
+        tolerance: of the Taylor method.
+        resolve: run each cell again at a thousandth of the tolerance, and tell where both agree:
+            twice the work.
+        store: a folder, or a URL, for a Zarr store that is written chunk by chunk: the same call
+            resumes it, and the map may be larger than memory. None: in memory.
+        client: of a Dask cluster that computes the chunks.
+        threads: None: one for each processor.
+        progress: told the part that is done, 0 to 1.
+        resume: go on with a store that is there; else it is refused.
+        overwrite: begin it anew.
+
+    Returns:
+        Dims (theta1, theta2), coordinates the centres of the cells. `flip_time` [s], NaN where none
+        flips until t_max; `flipped_rod` 0 (none), 1, 2; `forbidden`; and, with `resolve`,
+        `resolved`: flip times agree to 10^-4 of them and in the rod, or, where there is no flip,
+        both runs are together to 10^-4 rad at t_max.
+
+    Raises:
+        ValueError: for an argument out of range, or a store of another map.
+    """
+    where = checked_map(system, theta1, theta2, shape, t_max)
+    again = flag("resolve", resolve)
+    asked = FlipMap(*where, _checked_rod(which), checked_tolerance(tolerance), again)
+    if again and asked.tolerance * TIGHTER < BEST_TOLERANCE:
+        raise ValueError(
+            f"tolerance must be at least {BEST_TOLERANCE / TIGHTER:.3g} for another run with a "
+            f"thousandth of it, got {asked.tolerance!r}; take a larger one, or resolve=False"
+        )
+    how: dict[str, Any] = {"client": client, "progress": progress, "threads": threads}
+    return asked.dataset(store, **how, resume=resume, overwrite=overwrite)
+
+
+@dataclass(frozen=True)
+class FlipMap(Map):
+    """What computes flip times, from checked arguments."""
+
+    kind = "flip"
+    title = "Flip map of the double pendulum, from rest"
+
+    which: int | None
+    tolerance: float
+    resolve: bool
+
+    @property
+    def variables(self) -> tuple[Variable, ...]:
+        """Flip times, rods, and how sure they are."""
+        rods = "either rod" if self.which is None else f"rod {self.which}"
+        told = [
+            Variable(
+                "flip_time",
+                NAMES,
+                "float64",
+                math.nan,
+                {"units": "s", "long_name": f"time until {rods} first flips"},
+            ),
+            Variable("flipped_rod", NAMES, "uint8", 0, {"long_name": "rod that flipped, 0: none"}),
+            Variable(
+                "forbidden", NAMES, "bool", False, {"long_name": "energy too small for a flip"}
+            ),
+        ]
+        if self.resolve:
+            meaning = (
+                f"a run at tolerance {TIGHTER * self.tolerance:.3g} agrees: flip times to "
+                f"{AGREEMENT:g} of them, or angles at t_max to {AGREEMENT:g} rad"
+            )
+            told.append(Variable("resolved", NAMES, "bool", False, {"long_name": meaning}))
+        return tuple(told)
+
+    def __call__(
+        self, chunk: Chunk, threads: int | None, progress: Progress
+    ) -> dict[str, NDArray[np.generic]]:
+        """The variables of the map at the cells of a chunk."""
+        starts = self.cells.starts(chunk)
+        forbidden = self.forbidden(starts)
+        share = 0.4 if self.resolve else 1.0  # of the work: the second run takes smaller steps
+        flips = self._flips(starts, ~forbidden, self.tolerance, threads, part(progress, 0.0, share))
+        found: dict[str, NDArray[np.generic]] = {
+            "flip_time": flips.time,
+            "flipped_rod": flips.rod,
+            "forbidden": forbidden,
+        }
+        if self.resolve:
+            rest = part(progress, share, 1.0)
+            tighter = self._flips(starts, ~forbidden, TIGHTER * self.tolerance, threads, rest)
+            found["resolved"] = forbidden | flips.agree(tighter)
+        return {name: self.cells.whole(chunk, values) for name, values in found.items()}
+
+    def forbidden(self, starts: Array) -> NDArray[np.bool_]:
+        """Where the energy of a start from rest is less than any flip asked for needs."""
+        import numpy as np
+
+        tops = {1: (math.pi, 0.0, 0.0, 0.0), 2: (0.0, math.pi, 0.0, 0.0)}
+        needed = [top for rod, top in tops.items() if self.which in (None, rod)]
+        least = self.system.potential_energy(np.array(needed)).min()
+        energy = self.system.potential_energy(starts)
+        return np.asarray(energy < (1.0 - _UNDECIDED) * least)
+
+    def _flips(
+        self,
+        starts: Array,
+        allowed: NDArray[np.bool_],
+        tolerance: float,
+        threads: int | None,
+        progress: Progress,
+    ) -> Flips:
+        """First flips from the starts, of those that are allowed."""
+        import numpy as np
+
+        rods = [self.which] if self.which else [1, 2]
+        events = tuple(flip(rod, terminal=True) for rod in rods)
+        places = np.flatnonzero(allowed)
+        found = self.runs(starts[places], threads, progress, tolerance=tolerance, events=events)
+        flips = Flips(np.full(len(starts), np.nan), np.zeros(len(starts), np.uint8), starts.copy())
+        for rod, crossed in zip(rods, found.events, strict=True):
+            flips.time[places[crossed.trajectories]] = crossed.times
+            flips.rod[places[crossed.trajectories]] = rod
+        flips.end[places] = found.states[:, 0]
+        flips.end[places[found.outcomes == "not_finite"]] = np.nan
+        return flips
+
+
+@dataclass(frozen=True)
+class Flips:
+    """First flips: their times and rods, and states at the end where there is none."""
+
+    time: Array
+    rod: NDArray[np.uint8]
+    end: Array
+
+    def agree(self, other: Flips) -> NDArray[np.bool_]:
+        """Where two runs tell the same."""
+        import numpy as np
+
+        same_time = abs(self.time - other.time) <= AGREEMENT * self.time
+        together = (abs(self.end - other.end)[:, :2] <= AGREEMENT).all(axis=1)
+        return np.equal(self.rod, other.rod) & np.where(self.rod == 0, together, same_time)
+
+
+def _checked_rod(which: object) -> int | None:
+    if which is None:
+        return None
+    try:
+        return whole_number("which", which, 2)
+    except ValueError:
+        raise ValueError(
+            f"which must be rod 1 or 2, or left out for the first that flips, got {which!r}"
+        ) from None

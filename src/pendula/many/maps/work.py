@@ -1,0 +1,99 @@
+"""What all maps share: their arguments, their recipe and the runs of their cells."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, fields
+from typing import TYPE_CHECKING, Any, ClassVar
+
+from pendula._checks import positive_number
+from pendula._version import __version__
+from pendula.many.chunks import Variable, Work, run
+from pendula.many.maps.cells import Cells, checked_cells
+from pendula.many.tasks import Runs, Task, checked_threads, run_task
+from pendula.run._arguments import check_rounding_of_times
+from pendula.systems import DoublePendulum
+
+if TYPE_CHECKING:
+    import numpy as np
+    import xarray as xr
+    from numpy.typing import NDArray
+
+    from pendula._progress import Progress
+    from pendula._types import Array
+    from pendula.many.chunks import Chunk
+
+
+@dataclass(frozen=True)
+class Map:
+    """What computes the cells of a chunk; each kind of map adds what it takes, and its `kind`.
+
+    Attributes:
+        system: the pendulum.
+        cells: the starts, at rest.
+        t_max: the end of each run [s].
+    """
+
+    kind: ClassVar[str]
+    title: ClassVar[str]
+
+    system: DoublePendulum
+    cells: Cells
+    t_max: float
+
+    @property
+    def recipe(self) -> dict[str, Any]:
+        """All that decides the numbers."""
+        told = {each.name: getattr(self, each.name) for each in fields(self)}
+        told |= {"system": self.system.description()}
+        del told["cells"]
+        return {"pendula": __version__, "map": self.kind, **told, **self.cells.description()}
+
+    @property
+    def variables(self) -> tuple[Variable, ...]:
+        """What is told of each cell."""
+        raise NotImplementedError
+
+    def __call__(
+        self, chunk: Chunk, threads: int | None, progress: Progress
+    ) -> dict[str, NDArray[np.generic]]:
+        """The variables at the cells of a chunk."""
+        raise NotImplementedError
+
+    def runs(self, starts: Array, threads: int | None, progress: Progress, **how: Any) -> Runs:
+        """The runs from these starts until t_max by the Taylor method; `how`: fields of a Task."""
+        import numpy as np
+
+        end = np.array([self.t_max])
+        task = Task(self.system.name, self.system.form, "taylor", 0.0, end, **how)
+        parameters = np.array([list(self.system.parameters.values())])
+        return run_task(task, parameters, starts, checked_threads(threads), progress)
+
+    def dataset(self, store: Any, **how: Any) -> xr.Dataset:
+        """The whole map; `how`: what `pendula.chunks.run` takes."""
+        work = Work(
+            recipe=self.recipe,
+            axes=self.cells.axes(),
+            variables=self.variables,
+            compute=self,
+            attrs={"title": self.title, "t_max": self.t_max},
+            mirrored=self.cells.mirrored,
+        )
+        return run(work, store, **how)
+
+
+def checked_map(
+    system: object, theta1: object, theta2: object, shape: object, t_max: object
+) -> tuple[DoublePendulum, Cells, float]:
+    """The arguments that every map takes.
+
+    Raises:
+        ValueError: naming the argument.
+    """
+    if not isinstance(system, DoublePendulum):
+        raise ValueError(
+            f"system must be a double pendulum such as DoublePendulum.rods(), got {system!r}"
+        )
+    cells = checked_cells(theta1, theta2, shape)
+    end = positive_number("t_max", t_max, "s")
+    check_rounding_of_times(system, 0.0, end, name="t_max")
+    return system, cells, end

@@ -1,0 +1,124 @@
+"""Rows of named values: points of grids, with random draws at each."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, fields
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from pendula._checks import LARGEST_COUNT, one_of, whole_number
+from pendula.many.sampling.bits import words
+from pendula.many.sampling.distributions import (
+    KINDS,
+    Choice,
+    Distribution,
+    Fixed,
+    Grid,
+    Listed,
+    LogUniform,
+    SameAs,
+    Uniform,
+)
+
+if TYPE_CHECKING:
+    from pendula._types import Array
+
+
+LARGEST_SEED = 2**64 - 1
+
+
+@dataclass(frozen=True)
+class Sampler:
+    """Rows of named values: every point of the grids, each with as many random draws as asked for.
+
+    The first grid changes slowest, the draws of one point follow one another.
+
+    Args:
+        columns: names and where their values come from; grids and draws in any mixture.
+        draws: at each point of the grid; 1 where nothing is random.
+        seed: of the random streams, 0 to 2^64 − 1.
+
+    Raises:
+        ValueError: for a name given twice, draws without anything random, or more than 2^53 rows.
+    """
+
+    columns: tuple[tuple[str, Distribution], ...]
+    draws: int = 1
+    seed: int = 0
+
+    def __post_init__(self) -> None:
+        names = [name for name, _ in self.columns]
+        if len(set(names)) < len(names):
+            raise ValueError(f"columns must have different names, got {', '.join(names)}")
+        known = {name: each for name, each in self.columns if not isinstance(each, SameAs)}
+        for name, each in self.columns:
+            if isinstance(each, SameAs):
+                one_of(f"{name}: same_as", each.column, known)
+        whole_number("draws", self.draws, LARGEST_COUNT)
+        if self.draws > 1 and not self.random:
+            raise ValueError(f"draws must be 1 where nothing is random, got {self.draws}")
+        if isinstance(self.seed, bool) or not 0 <= self.seed <= LARGEST_SEED:
+            raise ValueError(f"seed must be a whole number from 0 to 2^64 - 1, got {self.seed!r}")
+        if self.count > LARGEST_COUNT:
+            raise ValueError(f"there must be at most 2^53 rows, got {self.count}")
+
+    @property
+    def random(self) -> bool:
+        """Whether anything is."""
+        return any(isinstance(each, Uniform | LogUniform | Choice) for _, each in self.columns)
+
+    @property
+    def count(self) -> int:
+        """How many rows there are."""
+        return self.draws * math.prod(self.shape)
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        """How many values each grid has."""
+        return tuple(each.count for _, each in self.columns if isinstance(each, Grid | Listed))
+
+    def rows(self, start: int, stop: int) -> dict[str, Array]:
+        """The columns (stop − start,) of these rows, counted from 0.
+
+        Raises:
+            IndexError: unless 0 ≤ start ≤ stop ≤ count.
+        """
+        if not 0 <= start <= stop <= self.count:
+            raise IndexError(f"there are rows 0 to {self.count}, not {start} to {stop}")
+        point = np.arange(start, stop, dtype=np.int64) // self.draws
+        made: dict[str, Array] = {}
+        slower = math.prod(self.shape)
+        for name, each in self.columns:
+            if isinstance(each, Grid | Listed):
+                slower //= each.count
+                made[name] = each.at(point // slower % each.count)
+            elif isinstance(each, Fixed):
+                made[name] = np.full(stop - start, each.value)
+            elif not isinstance(each, SameAs):
+                made[name] = each.drawn(words(self.seed, name, start, stop))
+        return {
+            name: made[each.column if isinstance(each, SameAs) else name]
+            for name, each in self.columns
+        }
+
+    def description(self) -> dict[str, Any]:
+        """The sampler as data that JSON can hold; `sampler_from` takes it back."""
+        columns = [[name, *_described(each)] for name, each in self.columns]
+        return {"columns": columns, "draws": self.draws, "seed": self.seed}
+
+
+def sampler_from(description: dict[str, Any]) -> Sampler:
+    """The sampler that `Sampler.description` described."""
+    columns = tuple(
+        (str(name), KINDS[kind](*(tuple(v) if isinstance(v, list) else v for v in values)))
+        for name, kind, *values in description["columns"]
+    )
+    return Sampler(columns, description["draws"], description["seed"])
+
+
+def _described(each: Distribution) -> list[Any]:
+    kind = next(name for name, kind in KINDS.items() if kind is type(each))
+    values = (getattr(each, field.name) for field in fields(each))
+    return [kind, *(list(value) if isinstance(value, tuple) else value for value in values)]

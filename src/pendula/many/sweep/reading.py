@@ -1,0 +1,215 @@
+"""Reading the recipe of a sweep: a TOML file with the tables [system], [state] and [run]."""
+
+from __future__ import annotations
+
+from itertools import product
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from pendula import _engine
+from pendula._checks import LARGEST_COUNT, one_of, whole_number
+from pendula._recipe_file import RecipeFile, as_toml
+from pendula.many.sampling import LARGEST_SEED, Distribution, SameAs, Sampler
+from pendula.many.sweep.columns import Columns
+from pendula.many.sweep.recipe import SweepRecipe
+from pendula.run._arguments import (
+    check_rounding_of_times,
+    check_together,
+    checked_certify,
+    checked_method,
+    checked_tolerance,
+    step_size,
+)
+from pendula.systems import System, system_from
+
+if TYPE_CHECKING:
+    from os import PathLike
+
+    from pendula._engine import Form, SystemEntry
+
+MOST_CHUNKS = 10**6
+MOST_OUTPUTS = 10**7  # states of a chunk: 320 MB for the double pendulum
+_CHUNK = 1000  # rows, if none are named
+_RUN = (
+    "method",
+    "until",
+    "every",
+    "step",
+    "tolerance",
+    "max_steps",
+    "certify",
+    "draws",
+    "seed",
+    "chunk",
+)
+
+
+def read_sweep(path: str | PathLike[str]) -> SweepRecipe:
+    """The recipe in a file.
+
+    A parameter or a component of the start is a quantity, or a table of one key: `uniform` or
+    `log_uniform` of two ends, `choice` of a list, all random; `grid` of two ends and a count or
+    `list` of values, of which all are taken with all of the others; `same_as` another. Each point
+    of the grids is run with as many random draws as `run.draws` says. What [system] and [state]
+    leave out is as `pendula solve` takes it.
+
+    Args:
+        path: a TOML file with tables [system], [state] and [run].
+
+    Raises:
+        ValueError: for a broken recipe: one line naming file, line, key, rule and value.
+        OSError: if the file cannot be read.
+    """
+    file = RecipeFile.read(Path(path))
+    file.check_tables(("system", "state", "run"))
+    entry, form = _kind(file)
+    parameters = [row.name for row in form.parameters]
+    components = [row.name for row in entry.components]
+    known = {"system": ["kind", "form", *parameters], "state": components, "run": _RUN}
+    file.check_keys(known)
+    columns = Columns(file)
+    first = columns.parameters(form)
+    run = _Run(file, _systems(file, entry, form, first))
+    sampler = run.sampler((*first, *columns.components(entry.components)))
+    recipe = SweepRecipe(entry.name, form.name, sampler, **run.options(), chunk=run.chunk())
+    _check_size(file, recipe)
+    return recipe
+
+
+def _kind(file: RecipeFile) -> tuple[SystemEntry, Form]:
+    """The system and its form; the first one if none is named."""
+    given, entries = file.tables.get("system", {}), _engine.system_entries()
+    if "kind" not in given:
+        rule = f"system.kind is needed, one of {', '.join(entries)}"
+        raise file.blame("system", ("",), f'{rule}; write kind = "double", say')
+    with file.blaming("system", "kind", ""):
+        entry = entries[one_of("system.kind", given.get("kind"), entries)]
+    forms = {form.name: form for form in entry.forms}
+    if "form" in given and len(forms) == 1:
+        message = f"system.form is not taken by the {entry.name} pendulum; leave it out"
+        raise file.blame("system", ("form",), message)
+    with file.blaming("system", "form"):
+        return entry, forms[one_of("system.form", given.get("form", entry.forms[0].name), forms)]
+
+
+def _systems(
+    file: RecipeFile, entry: SystemEntry, form: Form, columns: list[tuple[str, Distribution]]
+) -> list[System]:
+    """The systems at the ends of all ranges: parameters can be too large or too small together."""
+    free = {name: each.ends for name, each in columns if not isinstance(each, SameAs)}
+    ends = [tuple(dict.fromkeys(pair)) for pair in free.values()]
+    systems, given = [], file.tables["system"]
+    with file.blaming("system", *(name for name in given if name in free), ""):
+        for corner in product(*ends):
+            values = dict(zip(free, corner, strict=True))
+            for name, each in columns:
+                if isinstance(each, SameAs):
+                    values[name] = values[each.column]
+            told = {"name": entry.name, "form": form.name, "parameters": values}
+            systems.append(system_from(told))
+    return systems
+
+
+class _Run:
+    """The table [run]."""
+
+    def __init__(self, file: RecipeFile, systems: list[System]) -> None:
+        self._file, self._systems = file, systems
+        self._given: dict[str, Any] = file.tables.get("run", {})
+
+    def sampler(self, columns: tuple[tuple[str, Distribution], ...]) -> Sampler:
+        """The columns with the draws and the seed."""
+        draws, seed = self._whole("draws", LARGEST_COUNT), self._given.get("seed", 0)
+        if draws is None and Sampler(columns).random:
+            message = "run.draws is needed where anything is random; write draws = 1000, say"
+            raise self._file.blame("run", ("",), message)
+        if not isinstance(seed, int) or isinstance(seed, bool) or not 0 <= seed <= LARGEST_SEED:
+            rule = "run.seed must be a whole number from 0 to 2^64 - 1"
+            raise self._file.blame("run", ("seed",), f"{rule}, got {as_toml(seed)}")
+        with self._file.blaming("run", "draws", ""):
+            return Sampler(columns, draws or 1, seed)
+
+    def options(self) -> dict[str, Any]:
+        """Method, times and what the method takes, checked as `solve` does."""
+        file, given = self._file, self._given
+        with file.blaming("run", "method"):
+            method = checked_method(given.get("method", "taylor"), self._systems[0])
+        until, every, step = (self._time(name) for name in ("until", "every", "step"))
+        if until is None:
+            message = 'run.until is needed, the end of each run; write until = "30 s", say'
+            raise file.blame("run", ("",), message)
+        if every is not None and every > until:
+            rule = f"run.every must not exceed run.until = {until:g} s"
+            raise file.blame("run", ("every", "until"), f"{rule}, got {every:g} s")
+        told = {name: given.get(name) for name in ("tolerance", "certify", "max_steps")}
+        with file.blaming("run", "tolerance" if method.adaptive is False else "step"):
+            check_together(method, None, step=step, **told, events=None)
+        if step is None and not method.adaptive:
+            rule = f"run.step is needed by the fixed-step method {method.name!r}"
+            raise file.blame("run", ("method", ""), f'{rule}; write step = "1 ms", say')
+        with file.blaming("run", "step", "method", ""):
+            size = None if method.adaptive else step_size(method.name, step, 0.0, until)
+        with file.blaming("run", "until"):
+            for system in self._systems if method.adaptive else ():
+                check_rounding_of_times(system, 0.0, until, name="run.until")
+        with file.blaming("run", "tolerance"):
+            tolerance = checked_tolerance(told["tolerance"]) if method.adaptive else None
+        return {
+            "method": method.name,
+            "until": until,
+            "every": every,
+            "step": size,
+            "tolerance": tolerance,
+            "max_steps": self._whole("max_steps", LARGEST_COUNT),
+            "certify": self._certify(),
+        }
+
+    def chunk(self) -> int:
+        """Rows worked on together."""
+        return self._whole("chunk", LARGEST_COUNT) or _CHUNK
+
+    def _certify(self) -> float | None:
+        raw = self._given.get("certify")
+        if raw is None:
+            return None
+        value = self._file.quantity("run", "certify", "rad", raw) if isinstance(raw, str) else raw
+        with self._file.blaming("run", "certify"):
+            return checked_certify(value)
+
+    def _time(self, key: str) -> float | None:
+        raw = self._given.get(key)
+        if raw is None:
+            return None
+        if not isinstance(raw, str):
+            rule = f"run.{key} needs a quantity with its unit, in quotes"
+            message = f'{rule}, got {as_toml(raw)}; write {key} = "0.1 s", say'
+            raise self._file.blame("run", (key,), message)
+        value = self._file.quantity("run", key, "s", raw)
+        if value <= 0:
+            message = f"run.{key} must be positive, got {as_toml(raw)}"
+            raise self._file.blame("run", (key,), message)
+        return value
+
+    def _whole(self, key: str, most: int) -> int | None:
+        raw = self._given.get(key)
+        if raw is None:
+            return None
+        with self._file.blaming("run", key):
+            return whole_number(f"run.{key}", raw, most)
+
+
+def _check_size(file: RecipeFile, recipe: SweepRecipe) -> None:
+    """Refuse chunks that memory has no room for, and too many of them."""
+    rows = recipe.sampler.count
+    if rows > MOST_CHUNKS * recipe.chunk:
+        rule = f"run.chunk must leave at most {MOST_CHUNKS} chunks, got {rows} rows in chunks of"
+        message = f"{rule} {recipe.chunk}; take more rows a chunk, or fewer draws"
+        raise file.blame("run", ("chunk", "draws", ""), message)
+    times = 1.0 if recipe.every is None else recipe.until / recipe.every + 1
+    rows = min(recipe.chunk, recipe.sampler.count)
+    if rows * times > MOST_OUTPUTS:
+        rule = f"run.chunk rows must have at most {MOST_OUTPUTS} outputs together"
+        got = f"{rows} rows of {times:.0f} each"
+        fewer = "fewer rows a chunk, or " if rows > 1 else ""
+        message = f"{rule}, got {got}; take {fewer}more time between outputs"
+        raise file.blame("run", ("chunk", "every", ""), message)

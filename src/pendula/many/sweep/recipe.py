@@ -1,0 +1,91 @@
+"""What a sweep's numbers follow from."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, fields
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from pendula import _engine
+from pendula.many.sampling import Sampler, sampler_from
+from pendula.run._times import spaced
+
+if TYPE_CHECKING:
+    from pendula._types import Array
+
+
+@dataclass(frozen=True)
+class SweepRecipe:
+    """A checked recipe; `read_sweep` makes it from a file, `sweep_from` from `resolved`.
+
+    Attributes:
+        system: name in the catalogue.
+        form: of the system's description.
+        sampler: a column for each of the form's parameters and of the state's components, in the
+            catalogue's order.
+        method: name in the catalogue.
+        until: end of each run, which begins at 0 [s].
+        every: time between outputs; None: the end alone [s].
+        step: of a fixed-step method [s].
+        tolerance: of an adaptive method; None: its best.
+        max_steps: of each run; None: no limit.
+        certify: largest error of an angle up to the time to trust a run to; None: not asked [rad].
+        chunk: rows worked on and written together.
+    """
+
+    system: str
+    form: str
+    sampler: Sampler
+    method: str
+    until: float
+    every: float | None
+    step: float | None
+    tolerance: float | None
+    max_steps: int | None
+    certify: float | None
+    chunk: int
+
+    @property
+    def parameters(self) -> tuple[str, ...]:
+        """Names of the system's parameters."""
+        entry = _engine.system_entries()[self.system]
+        return tuple(row.name for row in entry.forms[entry.form_index(self.form)].parameters)
+
+    @property
+    def components(self) -> tuple[str, ...]:
+        """Names of a state's components."""
+        return tuple(row.name for row in _engine.system_entries()[self.system].components)
+
+    @property
+    def times(self) -> Array:
+        """Times of the outputs, (m,) [s]."""
+        if self.every is None:
+            return np.array([self.until])
+        return spaced(0.0, self.until, self.every)
+
+    @property
+    def options(self) -> dict[str, Any]:
+        """What `ensemble` takes besides: step, tolerance, max_steps, certify."""
+        names = ("step", "tolerance", "max_steps", "certify")
+        return {name: getattr(self, name) for name in names}
+
+    def rows(self, start: int, stop: int) -> tuple[Array, Array]:
+        """Parameters (n, p) and states (n, d) of rows start to stop, in SI units."""
+        columns = self.sampler.rows(start, stop)
+        return (
+            np.stack([columns[name] for name in self.parameters], axis=1),
+            np.stack([columns[name] for name in self.components], axis=1),
+        )
+
+    @property
+    def resolved(self) -> dict[str, Any]:
+        """The recipe as data that JSON can hold, in SI units; the same for the same numbers."""
+        told = {field.name: getattr(self, field.name) for field in fields(self)}
+        return {**told, "sampler": self.sampler.description()}
+
+
+def sweep_from(resolved: dict[str, Any]) -> SweepRecipe:
+    """The recipe that `SweepRecipe.resolved` described."""
+    known = {field.name: resolved[field.name] for field in fields(SweepRecipe)}
+    return SweepRecipe(**{**known, "sampler": sampler_from(resolved["sampler"])})

@@ -1,0 +1,92 @@
+"""Runs a sweep: into memory, a Zarr store or a Parquet file."""
+
+from __future__ import annotations
+
+import os
+from pathlib import PurePath
+from typing import TYPE_CHECKING, Any
+
+from pendula._checks import check_progress, whole_number
+from pendula.many.chunks import run
+from pendula.many.chunks.cluster import check_client
+from pendula.many.chunks.places import checked_name
+from pendula.many.sweep.reading import read_sweep
+from pendula.many.sweep.recipe import SweepRecipe
+from pendula.many.sweep.rows import work_of
+from pendula.many.tasks import MOST_THREADS
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+    from pendula._progress import Progress
+
+ENDINGS = (".zarr", ".parquet")
+
+
+def sweep(
+    recipe: str | os.PathLike[str] | SweepRecipe,
+    store: str | os.PathLike[str] | None = None,
+    *,
+    client: Any = None,
+    threads: int | None = None,
+    progress: Progress = None,
+    resume: bool = True,
+    overwrite: bool = False,
+) -> xr.Dataset:
+    """The trajectories of many systems, from many starts, that a recipe describes.
+
+    Each row has the bits that `solve` gives it alone, whatever the threads, chunks or workers. What
+    goes wrong with one is told in its outcome: its numbers are NaN from there on.
+
+    Args:
+        recipe: a TOML file, or what `pendula.sweeping.read_sweep` made of it.
+        store: where to write, chunk by chunk, so that the sweep may be larger than memory: a path
+            or URL ending in .zarr, a store with which the same call goes on after it was stopped;
+            or a path ending in .parquet, a file that is there once all of it is written, and
+            cannot be gone on with. None: in memory.
+        client: of a Dask cluster that computes the chunks.
+        threads: None: one for each processor; on a cluster one for each task.
+        progress: told the part that is done, 0 to 1.
+        resume: go on with an existing store; else it is refused.
+        overwrite: begin an existing one anew.
+
+    Returns:
+        Dims (row, t). For each row the parameters of its system, by name, its start (`theta1_start`
+        …), `outcome` as a number whose meanings the attributes list, `n_steps`, `reached` [s], and
+        `trust_horizon` [s] if the recipe asks for it; over (row, t) the state (`theta1` …)
+        [rad, rad/s] and the `energy` [J]. Of a store it is read when it is used; of a Parquet file
+        it has only what each row has once.
+
+    Raises:
+        ValueError: for a broken recipe, a store of another recipe, or another ending.
+        FileExistsError: where a file is there, or what is no store.
+        OSError: where the recipe cannot be read, or the store not be written.
+    """
+    check_progress(progress)
+    chosen = recipe if isinstance(recipe, SweepRecipe) else read_sweep(recipe)
+    work = work_of(chosen)
+    place: dict[str, Any] = {"client": client, "threads": threads, "progress": progress}
+    if store is None or ending_of(store) == ".zarr":
+        return run(work, store, **place, resume=resume, overwrite=overwrite)
+    from pendula.many.sweep.parquet import write_parquet
+
+    if threads is not None:
+        whole_number("threads", threads, MOST_THREADS)
+    if client is not None:
+        check_client(client)
+    return write_parquet(work, os.fspath(store), **place, overwrite=overwrite)
+
+
+def ending_of(store: str | os.PathLike[str]) -> str:
+    """What a sweep is written as: ".zarr" or ".parquet".
+
+    Raises:
+        ValueError: for another ending, or a Parquet file that is not on this machine.
+    """
+    text = checked_name(store)
+    ending = PurePath(text).suffix.lower()
+    if ending not in ENDINGS:
+        raise ValueError(f"store must end in {' or '.join(ENDINGS)}, got {text!r}")
+    if ending == ".parquet" and "://" in text:
+        raise ValueError(f"store must be a path to write Parquet, got {text!r}; a .zarr may be far")
+    return ending

@@ -1,0 +1,170 @@
+"""Events that `solve` looks for inside its steps."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import asdict, dataclass
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from pendula._checks import LARGEST_COUNT, finite_number, one_of, whole_number
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable
+
+    from pendula._types import Array
+    from pendula.systems import System
+
+
+_KINDS = ("angle", "velocity_zero", "tip_height")  # in the core's order
+_REST_OF_PI = 1.2246467991473532e-16  # π less the double nearest to it
+
+
+class Crossings(NamedTuple):
+    """Where an event took place.
+
+    Attributes:
+        times: in the order of the run, (k,) [s].
+        states: at those times, (k, d) [rad, rad/s].
+    """
+
+    times: Array
+    states: Array
+
+
+@dataclass(frozen=True)
+class Event:
+    """What to look for; made by `angle`, `flip`, `velocity_zero` and `tip_height`.
+
+    Attributes:
+        kind: "angle", "velocity_zero" or "tip_height".
+        index: of the rod, from 1; 0 for the tip.
+        value: that is passed, [rad] or [m].
+        every_turn: whether an angle also passes it whole turns away.
+        direction: 1: growing with time, −1: falling, 0: both.
+        terminal: so many of them end the run; 0: none does.
+    """
+
+    kind: str
+    index: int = 0
+    value: float = 0.0
+    every_turn: bool = False
+    direction: int = 0
+    terminal: int = 0
+
+    def row(self) -> tuple[int, int, float, float, bool, int, int]:
+        """The event as the core takes it."""
+        tail = _REST_OF_PI if self.every_turn and self.value == math.pi else 0.0
+        place = _KINDS.index(self.kind), max(self.index - 1, 0)
+        return *place, self.value, tail, self.every_turn, self.direction, self.terminal
+
+
+def angle(
+    i: int,
+    value: float,
+    direction: int = 0,
+    terminal: bool | int = False,
+    *,
+    every_turn: bool = False,
+) -> Event:
+    """The angle of rod i passes a value.
+
+    Args:
+        i: the rod, from 1 (the simple pendulum has one).
+        value: of the angle, which is never wrapped [rad].
+        direction: 1: growing with time, −1: falling, 0: both.
+        terminal: True ends the run at the first, a number n at the nth.
+        every_turn: also count the value and any number of whole turns.
+
+    Raises:
+        ValueError: for an argument out of range.
+    """
+    return _event("angle", i, finite_number("value", value, "rad"), direction, terminal, every_turn)
+
+
+def flip(i: int, direction: int = 0, terminal: bool | int = False) -> Event:
+    """Rod i passes the top: its angle π and any number of whole turns, π itself, not its double.
+
+    The first is the one next to the start, ±π beyond the lowest point of the rod's own turn.
+    Arguments and errors are those of `angle`.
+    """
+    return _event("angle", i, math.pi, direction, terminal, True)
+
+
+def velocity_zero(i: int, direction: int = 0, terminal: bool | int = False) -> Event:
+    """The angular velocity of rod i passes zero; a start at rest is none.
+
+    Arguments and errors are those of `angle`.
+    """
+    return _event("velocity_zero", i, 0.0, direction, terminal, False)
+
+
+def tip_height(y: float, direction: int = 0, terminal: bool | int = False) -> Event:
+    """The bob, or the end of the last rod, passes the height y above the pivot [m].
+
+    The other arguments and errors are those of `angle`.
+    """
+    height = finite_number("y", y, "m")
+    return Event("tip_height", 0, height, False, _direction(direction), _terminal(terminal))
+
+
+def checked_events(events: object, system: System, name: str = "events") -> tuple[Event, ...]:
+    """The events, each of which the system can have.
+
+    Raises:
+        ValueError: for anything else.
+    """
+    rods = len(system.components) // 2
+    if isinstance(events, Event | str):
+        events = (events,)
+    try:
+        found: tuple[Any, ...] = tuple(events)  # type: ignore[arg-type]
+    except TypeError:
+        found = (events,)
+    for each in found:
+        if not isinstance(each, Event):
+            raise ValueError(
+                f"{name} must be made by pendula.events: angle, flip, velocity_zero or tip_height; "
+                f"got {each!r}"
+            )
+        if each.index > rods:
+            raise ValueError(
+                f"i must be {' or '.join(map(str, range(1, rods + 1)))} for the {system.name} "
+                f"pendulum, got {each.index}"
+            )
+    return found
+
+
+def described(event: Event) -> dict[str, Any]:
+    """The event as data, which `event_from` takes back."""
+    return asdict(event)
+
+
+def event_from(data: dict[str, Any]) -> Event:
+    """The event of its attributes, as files carry them."""
+    return Event(**{**data, "kind": one_of("kind", data["kind"], _KINDS)})
+
+
+def crossings_of(pairs: Iterable[tuple[Array, Array]]) -> tuple[Crossings, ...]:
+    """Times and states of each event as `Crossings`."""
+    return tuple(Crossings(times, states) for times, states in pairs)
+
+
+def _event(
+    kind: str, i: int, value: float, direction: int, terminal: bool | int, every_turn: bool
+) -> Event:
+    index = whole_number("i", i, 2)
+    return Event(kind, index, value, bool(every_turn), _direction(direction), _terminal(terminal))
+
+
+def _direction(direction: object) -> int:
+    if direction not in (-1, 0, 1) or isinstance(direction, bool):
+        raise ValueError(
+            f"direction must be 1 (growing with time), -1 (falling) or 0 (both), got {direction!r}"
+        )
+    return int(direction)
+
+
+def _terminal(terminal: bool | int) -> int:
+    if isinstance(terminal, bool):
+        return int(terminal)
+    return 0 if terminal == 0 else whole_number("terminal", terminal, LARGEST_COUNT)

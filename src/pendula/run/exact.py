@@ -1,0 +1,116 @@
+"""Solutions in closed form: the motion, when it passes an angle, and its action."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from pendula import _engine
+from pendula._checks import finite_array, finite_number, states_array
+from pendula.run.trajectory import Request, Trajectory, exact_states
+from pendula.systems import LinearPendulum, SimplePendulum, System, check_system
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
+
+def exact(system: System, state: ArrayLike, t: ArrayLike, *, t0: float = 0.0) -> Trajectory:
+    """The motion in closed form, for any state, in every regime, to the last bits.
+
+    The given numbers are taken as exact. The linear pendulum: Herrera et al. (2024), eq. 11. The
+    simple pendulum by Jacobi elliptic functions (DLMF 22.19(i)): swings, turns (counted, never
+    wrapped), the separatrix and what lies next to it. The error is at most 4 * 2^-52 of
+    max(|θ|, min(1, amplitude)) and of the largest |ω| of the motion, at any time.
+
+    Args:
+        system: a LinearPendulum or SimplePendulum.
+        state: (θ0, ω0) at time t0, or an array (..., 2) of them [rad, rad/s].
+        t: a time or times in any order, before t0 too, (n,) [s].
+        t0: time of the state [s].
+
+    Returns:
+        A trajectory with states (n, 2), or (..., n, 2) for states (..., 2).
+
+    Raises:
+        ValueError: for a system without a closed form, values that are not finite, an angle of
+            2^50 rad or more, a speed of 2^900 natural frequencies, or a time more than 2^200 half
+            periods away (linear: an amplitude of 2^900 rad, 2^50 half periods).
+    """
+    _checked(system)
+    start = states_array(state, system.components, finite=False)  # the core refuses others
+    origin = finite_number("t0", t0, "s")
+    times = finite_array("t", t, "s").reshape(-1)
+    states = exact_states(system, start, times, origin)
+    return Trajectory(system, "exact", times, states, Request(start, times, origin))
+
+
+def time_at(system: System, state: ArrayLike, theta: ArrayLike) -> Any:
+    """When the angle is first `theta`, from the state on [s].
+
+    Args:
+        system: a LinearPendulum or SimplePendulum.
+        state: (θ0, ω0), or an array (..., 2) of them [rad, rad/s].
+        theta: angle, turns counted; any shape that broadcasts against the states' (...) [rad].
+
+    Returns:
+        A float or an array of the broadcast shape: 0 where the state has that angle, infinite
+        where the motion never does.
+
+    Raises:
+        ValueError: for a system without a closed form, values that are not finite, or a state
+            too large, as for `exact`.
+    """
+    import numpy as np
+
+    one_bob = _checked(system)
+    start = states_array(state, system.components)
+    one_bob.check_start(start)
+    angles = finite_array("theta", theta, "rad")
+    shape = np.broadcast_shapes(start.shape[:-1], angles.shape)
+    length, gravity, _ = system.parameters.values()
+    result = _engine.time_at[system.name](
+        length,
+        gravity,
+        np.ascontiguousarray(np.broadcast_to(start, (*shape, 2)).reshape(-1, 2)),
+        np.ascontiguousarray(np.broadcast_to(angles, shape).ravel()),
+    )
+    return result.reshape(shape) if shape else float(result[0])
+
+
+def action(system: System, state: ArrayLike) -> Any:
+    """The action ∮ p dθ / 2π of the motion, over a swing or a turn [J s].
+
+    (8/π) m √(g L³) (E − k'² K) in libration and (4/π) m √(g L³) k E(1/k) in rotation, with
+    k² = sin²(θ0/2) + (ω0/2ωn)² (DLMF 22.19(i)); energy over ωn for the linear pendulum.
+
+    Args:
+        system: a LinearPendulum or SimplePendulum.
+        state: (θ0, ω0), or an array (..., 2) of them [rad, rad/s].
+
+    Returns:
+        A float, or an array of the states' shape without the last axis.
+
+    Raises:
+        ValueError: for a system without a closed form, or values that are not finite.
+    """
+    import numpy as np
+
+    one_bob = _checked(system)
+    start = states_array(state, system.components)
+    if isinstance(one_bob, LinearPendulum):
+        result = one_bob.energy(start) / one_bob.natural_frequency
+    else:
+        one_bob.check_start(start)
+        length, gravity, mass = system.parameters.values()
+        states = np.ascontiguousarray(start.reshape(-1, 2))
+        result = _engine.simple_action(length, gravity, mass, states).reshape(start.shape[:-1])
+    return result if start.ndim > 1 else float(result)
+
+
+def _checked(system: System) -> LinearPendulum | SimplePendulum:
+    check_system(system)
+    if not isinstance(system, LinearPendulum | SimplePendulum):
+        raise ValueError(
+            f"system must be a LinearPendulum or SimplePendulum, got {system!r}: "
+            "no closed form is known; use solve"
+        )
+    return system

@@ -1,0 +1,230 @@
+"""How long a run with doubles is right, and states right at any time, however chaotic."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
+
+from pendula import _engine
+from pendula.run._arguments import BEST_TOLERANCE, log2_of
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+    from pendula._progress import Progress
+    from pendula._types import Array
+    from pendula.systems import System
+
+PROBES = 100  # times at which the growth of errors is looked at
+PARTED = 1e-3  # rad, at which a run with doubles is taken to have parted from the motion
+LOST = 13.0  # digits of a double there
+RESERVE = 4.0  # digits
+GROWTH_ALLOWED = 1.1  # of the logarithm of errors, beyond the growth that was seen
+LARGEST_ANGLE = 2.0**50  # of the many-digit runs [rad]
+
+
+def horizon(
+    system: System,
+    state: Array,
+    method: str,
+    t0: float,
+    end: float,
+    *,
+    step: float | None = None,
+    tolerance: float | None = None,
+    certify: float,
+    progress: Progress = None,
+) -> float:
+    """First time at which an angle of a run with doubles is off by more than `certify` [s].
+
+    The run is made once more beside the motion itself, worked out with twice the digits: at each
+    step of a fixed-step method, and inside the steps of an adaptive one.
+
+    Args:
+        system: a pendulum.
+        state: at time t0, (d,) [rad, rad/s].
+        method: of the run.
+        t0: time of the state [s].
+        end: of the run, not t0 [s].
+        step: of a fixed-step method, positive [s].
+        tolerance: of an adaptive method; None: its best.
+        certify: the largest error of an angle that is allowed, up to 1 [rad].
+        progress: told the part of the run that is done, 0 to 1, some times a second.
+
+    Returns:
+        The time; inf where it is not within the run.
+    """
+    span = end - t0
+    return _engine.trust_horizon(
+        system._description(),
+        method,
+        state.tolist(),
+        t0,
+        end,
+        0.0 if step is None else math.copysign(step, span),
+        log2_of(tolerance or BEST_TOLERANCE),
+        certify,
+        None if progress is None else lambda t: progress((t - t0) / span),
+    )
+
+
+def digits_states(
+    system: System,
+    state: Array,
+    times: Array,
+    t0: float,
+    digits: int,
+    progress: Progress = None,
+) -> tuple[Array, int]:
+    """States right to so many digits, each component by itself, at every one of the times.
+
+    The growth of errors tells the working precision; a run with more has to agree with it, and
+    where it does not, they go on to more still.
+
+    Args:
+        system: a pendulum.
+        state: at time t0, (d,) [rad, rad/s].
+        times: strictly rising from t0, or falling, (n,) [s].
+        t0: time of the state [s].
+        digits: 1 to 15.
+        progress: told the part of the work that is done, 0 to 1, some times a second.
+
+    Returns:
+        States (n, d) and the decimal digits that they were computed with.
+
+    Raises:
+        ValueError: where more digits would be needed than there are.
+    """
+    runs = _LongRuns(system, state, t0, times, progress)
+    level = runs.first_level(digits)
+    runs.plan(level, level + 1)
+    lower = runs.states(level)
+    while True:
+        level += 1
+        higher = runs.states(level)
+        good = _agreed(lower, higher, digits)
+        if good.all():
+            runs.tell(1.0)
+            return higher[..., 0].copy(), runs.levels[level]
+        if level + 1 == len(runs.levels):
+            until = times[good.argmin() - 1] if good[0] else t0
+            raise runs.too_far(digits, float(until))
+        lower = higher
+        runs.plan(level + 1)
+
+
+def _agreed(lower: Array, higher: Array, digits: int) -> NDArray[np.bool_]:
+    """At which times all components have these digits in common, (n,)."""
+    import numpy as np
+
+    apart = abs((higher[..., 0] - lower[..., 0]) + (higher[..., 1] - lower[..., 1]))
+    allowed = 0.5 * 10.0**-digits * abs(higher[..., 0]) + 2.0**-1022
+    return np.asarray((apart <= allowed).all(axis=-1))
+
+
+def _common_digits(lower: Array, higher: Array) -> Array:
+    """Digits that angles and velocities as a whole have in common, (n,)."""
+    import numpy as np
+
+    apart = abs((higher[..., 0] - lower[..., 0]) + (higher[..., 1] - lower[..., 1]))
+    size = abs(higher[..., 0])
+    rows = *apart.shape[:-1], 2, -1
+    sizes = np.maximum(size.reshape(rows).max(axis=-1), 1e-300)
+    return np.asarray(-np.log10(apart.reshape(rows).max(axis=-1) / sizes + 1e-300).max(axis=-1))
+
+
+@dataclass
+class _LongRuns:
+    """Runs of one motion with more and more digits, and how far all of them are."""
+
+    system: System
+    state: Array
+    t0: float
+    times: Array
+    progress: Progress
+    levels: tuple[int, ...] = field(default_factory=lambda: tuple(_engine.long_run_digits()))
+    done: float = 0.0  # work
+    planned: float = 0.0
+    told: float = 0.0  # part of it
+
+    def first_level(self, digits: int) -> int:
+        """The level that should be enough, one below the last at most."""
+        import numpy as np
+
+        end = float(self.times[-1])
+        span = end - self.t0
+        parted = horizon(self.system, self.state, "taylor", self.t0, end, certify=PARTED) - self.t0
+        if math.isinf(parted) or parted == 0.0:  # an angle that doubles cannot run with
+            return self._level_for(digits + LOST)
+        lost = GROWTH_ALLOWED * LOST * span / parted
+        # in about this time the errors of the lowest level grow to the size of the motion
+        window = self.levels[0] / LOST * parted
+        if abs(window) >= abs(span):
+            return self._level_for(digits + lost)
+        guess = self._level_for(digits + lost)
+        self.plan(guess, guess + 1)
+        self.planned += self._work(0, window) + self._work(1, window)
+        probes = self.t0 + window * np.arange(1, PROBES + 1) / PROBES
+        lost = self._digits_lost(probes)
+        if lost / GROWTH_ALLOWED + digits > self.levels[-1]:
+            part = (self.levels[-1] - digits) * GROWTH_ALLOWED / lost
+            raise self.too_far(digits, self.t0 + part * span)
+        return self._level_for(digits + lost)
+
+    def _level_for(self, digits: float) -> int:
+        enough = (there >= digits + RESERVE for there in self.levels[:-1])
+        return next((level for level, good in enumerate(enough) if good), len(self.levels) - 2)
+
+    def _digits_lost(self, probes: Array) -> float:
+        """How many digits errors cost up to the end, from their growth at these times."""
+        common = _common_digits(self.states(0, probes), self.states(1, probes))
+        unlike = common <= 1.0
+        last = max(int(unlike.argmax()) - 1, 0) if unlike.any() else PROBES - 1
+        seen = float(probes[last]) - self.t0, float(self.times[-1]) - self.t0
+        lost = self.levels[0] - float(common[: last + 1].min())
+        return float(GROWTH_ALLOWED * lost * seen[1] / seen[0])
+
+    def too_far(self, digits: int, until: float) -> ValueError:
+        """The error that says how far it goes."""
+        return ValueError(
+            f"digits = {digits} at t = {float(self.times[-1]):g} s would take more than the "
+            f"{self.levels[-1]} digits of working precision that there are; "
+            f"end the run at about t = {until:g} s, or ask for fewer digits"
+        )
+
+    def plan(self, *levels: int) -> None:
+        """Count on runs with these levels."""
+        self.planned = self.done + sum(map(self._work, levels))
+
+    def tell(self, part: float) -> None:
+        """Tell how much is done, which never becomes less."""
+        self.told = max(self.told, min(part, 1.0))
+        if self.progress is not None:
+            self.progress(self.told)
+
+    def states(self, level: int, times: Array | None = None) -> Array:
+        """Heads and tails of the states at the times, (n, d, 2)."""
+        wanted = self.times if times is None else times
+        span = float(wanted[-1]) - self.t0
+        work = self._work(level, span)
+
+        def on_the_way(t: float) -> None:
+            self.tell((self.done + work * (t - self.t0) / span) / self.planned)
+
+        states, outcome = _engine.long_run(
+            self.system._description(), level, self.state.tolist(), self.t0, wanted, on_the_way
+        )
+        if outcome != "reached_end":
+            raise ValueError(
+                f"digits needs angles below 2^50 = {LARGEST_ANGLE:.3g} rad all the way to "
+                f"t = {float(wanted[-1])!r} s; start from a smaller angle, or end the run before"
+            )
+        self.done += work
+        return states
+
+    def _work(self, level: int, span: float | None = None) -> float:
+        """Of a run: the square of the order of the series, times that of a product."""
+        length = abs(float(self.times[-1]) - self.t0 if span is None else span)
+        return float(self.levels[level] ** 3.3) * length
