@@ -1,0 +1,31 @@
+// Which of the builds of lanes this processor runs.
+#include "pendula/kernels/catalogue.hpp"
+#include "pendula/kernels/lanes_kernels.hpp"
+#include "pendula/kernels/machine.hpp"
+
+namespace pendula {
+
+#ifdef PENDULA_X86_KERNELS
+namespace avx2 {
+extern const lanes_kernel adaptive_lanes, fixed_lanes;
+}  // namespace avx2
+namespace avx512 {
+extern const lanes_kernel adaptive_lanes, fixed_lanes;
+}  // namespace avx512
+static const lanes_kernel* const adaptive_kernels[] = {&avx2::adaptive_lanes, &avx512::adaptive_lanes};
+static const lanes_kernel* const fixed_kernels[] = {&avx2::fixed_lanes, &avx512::fixed_lanes};
+static constexpr machine first = machine::avx2;
+#else
+namespace plain {
+extern const lanes_kernel adaptive_lanes, fixed_lanes;
+}  // namespace plain
+static const lanes_kernel* const adaptive_kernels[] = {&plain::adaptive_lanes};
+static const lanes_kernel* const fixed_kernels[] = {&plain::fixed_lanes};
+static constexpr machine first = machine::plain;
+#endif
+
+std::span<const lanes_kernel* const> lanes_kernels_for(const request& asked) {
+  return built_for_here(method_named(asked.method)->adaptive ? adaptive_kernels : fixed_kernels, first);
+}
+
+}  // namespace pendula
