@@ -107,6 +107,7 @@ void bind_request(nb::module_& m) {
            "certify"_a = nb::none(), "max_steps"_a = nb::none(), "digits"_a = nb::none());
   bind_faults(m);
   m.def("check", nb::overload_cast<const request&>(&pendula::check), "request"_a, "The first fault of a request.");
+  m.def("check_method", &pendula::check_method, "request"_a, "The first fault of a request's method and system.");
   m.def("check_options", &pendula::check_options, "request"_a,
         "The first fault of a request whose system, method, state and times are sound.");
   m.def("check_system", nb::overload_cast<const system_description&>(&pendula::check), "description"_a,

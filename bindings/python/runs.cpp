@@ -10,6 +10,7 @@
 #include "pendula/kernels/horizon.hpp"
 #include "pendula/kernels/long_runs.hpp"
 #include "pendula/kernels/solve.hpp"
+#include "request.hpp"
 
 using namespace pendula_python;
 using namespace nb::literals;
@@ -82,6 +83,14 @@ std::vector<std::string_view> outcomes(const ensemble_result& result) {
   return names;
 }
 
+nb::list outcome_names() {
+  nb::list names;
+  for (const auto each : {pendula::outcome::reached_end, pendula::outcome::event, pendula::outcome::step_limit,
+                          pendula::outcome::not_finite})
+    names.append(text(pendula::name_of(each)));
+  return names;
+}
+
 void bind_results(nb::module_& m) {
   nb::class_<crossings>(m, "Crossings", "Times and states at which an event took place.")
       .def_prop_ro(
@@ -145,6 +154,7 @@ void bind_runs(nb::module_& m) {
         "The runs from states (n, d) with parameters (n, p), or (1, p) for all, in place of the request's own.");
   m.def("trust_horizon", &trust_horizon, "request"_a, "progress"_a.none(),
         "The trust horizon of a run that reached its end, not checked again; infinite: not within the run.");
+  m.def("outcomes", &outcome_names, nb::sig("def outcomes() -> list[str]"), "How runs end, by number.");
   m.def("long_run_digits", &long_run_digits, "Decimal digits of the levels of `long_run`.");
   m.def("long_run", &long_run, "request"_a, "level"_a, "progress"_a.none(),
         "The run with the digits of a level: states and their tails at the request's times.");

@@ -22,24 +22,6 @@ names names_where(const Rows& rows, Pick&& pick) {
   return found;
 }
 
-maybe check_method(const request& asked) {
-  const method_row* const method = method_named(asked.method);
-  if (!method)
-    return fault{"method", "unknown_name", asked.method, {{"choices", names_where(method_rows(), [](const auto&) {
-                                                             return true;
-                                                           })}}};
-  if (takes_system(*method, asked.system.name)) return {};
-  static constexpr std::string_view rules[] = {"", "needs_energetic", "needs_mechanical", "needs_separable",
-                                               "needs_analytic"};
-  const names others = names_where(method_rows(), [&](const method_row& other) {
-    return (other.symplectic || !method->symplectic) && takes_system(other, asked.system.name);
-  });
-  return fault{"method",
-               rules[static_cast<std::size_t>(method->needs)],
-               asked.method,
-               {{"system", asked.system.name}, {"choices", others}}};
-}
-
 maybe check_state(const request& asked) {
   const auto components = system_named(asked.system.name)->components;
   if (asked.state.size() != components.size())
@@ -219,6 +201,24 @@ maybe check(const system_description& of) {
     if (!std::isfinite(value) || (value <= 0.0 && !may_vanish))
       return fault{"parameters", "constants", value, {{"constant", std::string(name)}}};
   return {};
+}
+
+maybe check_method(const request& asked) {
+  const method_row* const method = method_named(asked.method);
+  if (!method)
+    return fault{"method", "unknown_name", asked.method, {{"choices", names_where(method_rows(), [](const auto&) {
+                                                             return true;
+                                                           })}}};
+  if (takes_system(*method, asked.system.name)) return {};
+  static constexpr std::string_view rules[] = {"", "needs_energetic", "needs_mechanical", "needs_separable",
+                                               "needs_analytic"};
+  const names others = names_where(method_rows(), [&](const method_row& other) {
+    return (other.symplectic || !method->symplectic) && takes_system(other, asked.system.name);
+  });
+  return fault{"method",
+               rules[static_cast<std::size_t>(method->needs)],
+               asked.method,
+               {{"system", asked.system.name}, {"choices", others}}};
 }
 
 maybe check_options(const request& asked) {

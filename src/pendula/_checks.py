@@ -7,6 +7,8 @@ import math
 import operator
 from typing import TYPE_CHECKING, Any
 
+from pendula._messages import ArgumentError
+
 if TYPE_CHECKING:
     from collections.abc import Iterable
 
@@ -32,28 +34,36 @@ def extra(module: str, name: str) -> Any:
         ) from error
 
 
-def finite_number(name: str, value: object, unit: str = "") -> float:
-    """`value` as a float that is neither infinite nor NaN."""
+def number(name: str, value: object, unit: str = "") -> float:
+    """`value` as a float, whichever."""
     try:
         if isinstance(value, str | bytes | bool):
             raise TypeError
-        number = float(value)  # type: ignore[arg-type]
+        return float(value)  # type: ignore[arg-type]
     except OverflowError:
-        number = math.inf
+        return math.inf
     except (TypeError, ValueError):
-        raise ValueError(f"{name} must be a number{_in(unit)}, got {value!r}") from None
-    if not math.isfinite(number):
-        raise ValueError(f"{name} must be a finite number{_in(unit)}, got {number!r}")
-    return number
+        raise ArgumentError(
+            name, "must be a number{in_unit}, got {value}", value=value, unit=unit
+        ) from None
+
+
+def finite_number(name: str, value: object, unit: str = "") -> float:
+    """`value` as a float that is neither infinite nor NaN."""
+    found = number(name, value, unit)
+    if not math.isfinite(found):
+        rule = "must be a finite number{in_unit}, got {value}"
+        raise ArgumentError(name, rule, value=found, unit=unit)
+    return found
 
 
 def positive_number(name: str, value: object, unit: str = "", *, zero: bool = False) -> float:
     """`value` as a finite float above zero, or not below it where `zero` is allowed."""
-    number = finite_number(name, value, unit)
-    if number < 0 or (number == 0 and not zero):
-        rule = "not be negative" if zero else "be positive"
-        raise ValueError(f"{name} must {rule}{_in(unit)}, got {number!r}")
-    return number
+    found = finite_number(name, value, unit)
+    if found < 0 or (found == 0 and not zero):
+        rule = "must not be negative" if zero else "must be positive"
+        raise ArgumentError(name, f"{rule}{{in_unit}}, got {{value}}", value=found, unit=unit)
+    return found
 
 
 def numbers_array(name: str, value: ArrayLike, unit: str = "") -> Array:
@@ -66,7 +76,8 @@ def numbers_array(name: str, value: ArrayLike, unit: str = "") -> Array:
             raise TypeError
         return array.astype(np.float64, copy=False)
     except (OverflowError, TypeError, ValueError):
-        raise ValueError(f"{name} must hold numbers{_in(unit)}, got {value!r}") from None
+        rule = "must hold numbers{in_unit}, got {value}"
+        raise ArgumentError(name, rule, value=value, unit=unit) from None
 
 
 def finite_array(name: str, value: ArrayLike, unit: str = "") -> Array:
@@ -84,11 +95,9 @@ def check_finite(name: str, array: Array, unit: str = "") -> None:
     if not finite.all():
         bad = ~finite
         place = np.unravel_index(int(bad.argmax()), array.shape)
-        where = f"[{', '.join(str(int(i)) for i in place)}]" if array.ndim else ""
-        raise ValueError(
-            f"{name} must hold finite numbers{_in(unit)}, got {float(array[place])!r}"
-            + (f" at {name}{where}" if where else "")
-        )
+        where = f" at {name}[{', '.join(str(int(i)) for i in place)}]" if array.ndim else ""
+        rule = "must hold finite numbers{in_unit}, got {value}" + where
+        raise ArgumentError(name, rule, value=float(array[place]), unit=unit)
 
 
 def states_array(
@@ -97,48 +106,54 @@ def states_array(
     """`value` as states of shape (..., d), finite unless the caller sees to that."""
     states = (finite_array if finite else numbers_array)(name, value)
     if states.ndim == 0 or states.shape[-1] != len(components):
-        raise ValueError(
-            f"{name} must be ({', '.join(components)}) or an array of such rows, "
-            f"got shape {states.shape}"
+        raise ArgumentError(
+            name,
+            "must be ({text}) or an array of such rows, got shape {value}",
+            text=", ".join(components),
+            value=states.shape,
         )
     return states
 
 
-def whole_number(name: str, value: object, most: int) -> int:
-    """`value` as an int from 1 to `most`."""
+def whole(name: str, value: object, unit: str = "") -> int:
+    """`value` as an int, whichever."""
     try:
         if isinstance(value, bool):
             raise TypeError
-        number = operator.index(value)  # type: ignore[arg-type]
+        return operator.index(value)  # type: ignore[arg-type]
     except TypeError:
-        raise ValueError(f"{name} must be a whole number of at least 1, got {value!r}") from None
-    if not 1 <= number <= most:
-        raise ValueError(f"{name} must be a whole number from 1 to {most}, got {number}")
-    return number
+        rule = "must be a whole number of at least 1, got {value}"
+        raise ArgumentError(name, rule, value=value) from None
+
+
+def whole_number(name: str, value: object, most: int) -> int:
+    """`value` as an int from 1 to `most`."""
+    found = whole(name, value)
+    if not 1 <= found <= most:
+        rule = "must be a whole number from 1 to {text}, got {value}"
+        raise ArgumentError(name, rule, text=most, value=found)
+    return found
 
 
 def flag(name: str, value: object) -> bool:
     """`value`, True or False and nothing that only counts as one."""
     if type(value).__name__ not in ("bool", "bool_"):
-        raise ValueError(f"{name} must be True or False, got {value!r}")
+        raise ArgumentError(name, "must be True or False, got {value}", value=value)
     return bool(value)
 
 
 def check_progress(progress: object) -> None:
     """Refuse what cannot be called."""
     if progress is not None and not callable(progress):
-        raise ValueError(
-            f"progress must be a function of the part that is done, or None, got {progress!r}"
-        )
+        rule = "must be a function of the part that is done, or None, got {value}"
+        raise ArgumentError("progress", rule, value=progress)
 
 
 def one_of(name: str, value: object, choices: Iterable[str]) -> str:
     """`value`, which has to be one of the names."""
     known = tuple(choices)
     if value not in known:
-        raise ValueError(f"{name} must be one of {', '.join(known)}; got {value!r}")
+        raise ArgumentError(
+            name, "must be one of {choices}; got {value}", choices=known, value=value
+        )
     return str(value)
-
-
-def _in(unit: str) -> str:
-    return f" [{unit}]" if unit else ""

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 
 def systems() -> list[dict[str, Any]]:
-    """The catalogue's systems with the rows of their parameters."""
+    """The catalogue's systems with their parameters and capabilities."""
 
 def methods() -> list[dict[str, Any]]:
     """The catalogue's methods."""
@@ -20,32 +20,100 @@ def machines() -> list[str]:
 
 largest_angle: float = 67108864.0
 
-class Description:
-    """A system's name, the index of its form, and that form's parameters."""
-
-    def __init__(self, system: str, form: int, parameters: Sequence[float]) -> None: ...
-
-def rhs(description: Description, states: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)]) -> NDArray[numpy.float64]:
+def rhs(description: Description, states: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], t: float) -> NDArray[numpy.float64]:
     """Time derivative of each state, (n, d)."""
 
 def energies(description: Description, states: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)]) -> tuple[NDArray[numpy.float64], NDArray[numpy.float64]]:
     """Kinetic and potential energy of each state [J]."""
+
+def positions(description: Description, states: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)]) -> NDArray[numpy.float64]:
+    """Bob, or end of each rod, (n, d/2, 2) [m]."""
 
 def within_range_of_sine(angles: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)]) -> NDArray[numpy.float64]:
     """
     The same directions, without whole turns where the angle is too large for the sine [rad].
     """
 
-def positions(description: Description, states: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)]) -> NDArray[numpy.float64]:
-    """Bob, or end of each rod, (n, d/2, 2) [m]."""
-
 def constants(description: Description) -> dict[str, float]:
     """The constants that the equations of motion are written in."""
 
-def solve_fixed(description: Description, method: str, state: Sequence[float], t0: float, step: float, step_limit: int, times: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], own_steps: bool, progress: object | None) -> tuple[NDArray[numpy.float64], NDArray[numpy.float64], int, str, int, int]:
+def scales(description: Description) -> tuple[float, float]:
     """
-    Times, states, how many of both were reached, how the run ended, steps taken and evaluations. `step` is negative for a run backward; with own_steps the one time is the end.
+    Energy scale [J], and the largest frequency of small oscillations [rad/s].
     """
+
+class Description:
+    """A system's name, the index of its form, and that form's parameters."""
+
+    def __init__(self, system: str, form: int, parameters: Sequence[float]) -> None: ...
+
+class Event:
+    """What to look for inside the steps of a run."""
+
+    def __init__(self, kind: int, index: int, value: float, value_tail: float, every_turn: bool, direction: int, terminal: int) -> None: ...
+
+def event_kinds() -> list[str]:
+    """The kinds of events, by number."""
+
+class Request:
+    """What to run."""
+
+    def __init__(self, system: Description, method: str, state: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], t0: float, times: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], own_steps: bool = False, events: Sequence[Event] = [], step: float | None = None, tolerance: float | None = None, certify: float | None = None, max_steps: int | None = None, digits: int | None = None) -> None: ...
+
+class Fault:
+    """What is wrong with a request: argument, rule, value and details."""
+
+    @property
+    def argument(self) -> str:
+        """Name of the argument."""
+
+    @property
+    def rule(self) -> str:
+        """Key of the rule, of `rule_rows`."""
+
+    @property
+    def value(self) -> None | float | int | str | list[str]:
+        """What was given."""
+
+    @property
+    def details(self) -> dict[str, Any]:
+        """What else the sentences name."""
+
+def rule_rows() -> list[tuple[str, str, str, str, str]]:
+    """
+    Key, sentence and way out in English, sentence and way out in Spanish of each rule.
+    """
+
+def option_rows() -> list[dict[str, Any]]:
+    """The options of a run."""
+
+def check(request: Request) -> Fault | None:
+    """The first fault of a request."""
+
+def check_method(request: Request) -> Fault | None:
+    """The first fault of a request's method and system."""
+
+def check_options(request: Request) -> Fault | None:
+    """
+    The first fault of a request whose system, method, state and times are sound.
+    """
+
+def check_system(description: Description) -> Fault | None:
+    """The first fault of a description."""
+
+class Crossings:
+    """Times and states at which an event took place."""
+
+    @property
+    def trajectories(self) -> NDArray[numpy.int64]:
+        """(k,), of an ensemble."""
+
+    @property
+    def times(self) -> NDArray[numpy.float64]:
+        """(k,) [s]."""
+
+    def states(self, dimension: int) -> NDArray[numpy.float64]:
+        """(k, d) [rad, rad/s]."""
 
 class DenseOutput:
     """The motion inside the steps of a run that was made."""
@@ -54,38 +122,106 @@ class DenseOutput:
     def reached(self) -> float:
         """The time up to which the run was made [s]."""
 
-    def at(self, times: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)]) -> NDArray[numpy.float64]:
+    def at(self, times: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], dimension: int) -> NDArray[numpy.float64]:
         """States (n, d) at times (n,) in the direction of the run."""
 
-def solve_adaptive(description: Description, method: str, state: Sequence[float], t0: float, end: float, log2_of_tolerance: float, step_limit: int, times: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)] | None, events: Sequence[tuple[Any, ...]], progress: object | None) -> tuple[Any, ...]:
+class RunResult:
+    """What came of one run."""
+
+    @property
+    def refused(self) -> Fault | None:
+        """The fault for which nothing was run; None: it was."""
+
+    @property
+    def outcome(self) -> str:
+        """How it ended."""
+
+    @property
+    def n_steps(self) -> int: ...
+
+    @property
+    def n_evaluations(self) -> int: ...
+
+    @property
+    def reached(self) -> float:
+        """The time up to which the run was made [s]."""
+
+    @property
+    def t(self) -> NDArray[numpy.float64]:
+        """(n,) [s]."""
+
+    def states(self, dimension: int) -> NDArray[numpy.float64]:
+        """(n, d) [rad, rad/s]."""
+
+    def tails(self, dimension: int) -> NDArray[numpy.float64]:
+        """What the states go on with, of a run with many digits, (n, d)."""
+
+    @property
+    def events(self) -> list[Crossings]: ...
+
+    @property
+    def trust_horizon(self) -> float | None:
+        """[s]; None: not asked."""
+
+    @property
+    def dense(self) -> DenseOutput:
+        """None: the method has none."""
+
+class EnsembleResult:
+    """What came of many runs."""
+
+    @property
+    def refused(self) -> Fault | None:
+        """The fault for which nothing was run; None: they were."""
+
+    @property
+    def outcomes(self) -> list[str]:
+        """(n,): how each ended."""
+
+    @property
+    def n_steps(self) -> NDArray[numpy.int64]:
+        """(n,)."""
+
+    @property
+    def n_evaluations(self) -> NDArray[numpy.int64]:
+        """(n,)."""
+
+    @property
+    def reached(self) -> NDArray[numpy.float64]:
+        """The time up to which each was made, (n,) [s]."""
+
+    def states(self, times: int, dimension: int) -> NDArray[numpy.float64]:
+        """(n, m, d) [rad, rad/s]; NaN where a run did not come so far."""
+
+    @property
+    def events(self) -> list[Crossings]: ...
+
+    @property
+    def trust_horizon(self) -> NDArray[numpy.float64]:
+        """(n,) [s]; empty: not asked."""
+
+def solve(request: Request, progress: object | None) -> RunResult:
+    """The run that is asked for, checked."""
+
+def ensemble(request: Request, states: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], parameters: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], threads: int, progress: object | None) -> EnsembleResult:
     """
-    Times, states, how the run ended, steps, evaluations, (times, states) of each event, and the dense output. Without times the outputs are the steps'.
+    The runs from states (n, d) with parameters (n, p), or (1, p) for all, in place of the request's own.
     """
 
-def ensemble(system: str, form: int, parameters: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], method: str, states: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], t0: float, times: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], step: float, log2_of_tolerance: float, step_limit: int, events: Sequence[tuple[Any, ...]], threads: int, progress: object | None) -> tuple[Any, ...]:
+def trust_horizon(request: Request, progress: object | None) -> float:
     """
-    States (n, times, d), how each run ended, its steps, the time it reached, and (trajectories, times, states) of each event, from states (n, d) and parameters (n, p), or (1, p) for all.
-    """
-
-def trust_horizons(system: str, form: int, parameters: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], method: str, states: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], t0: float, reached: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], step: float, log2_of_tolerance: float, certify: float, threads: int, progress: object | None) -> NDArray[numpy.float64]:
-    """
-    The trust horizon (n,) of each run of an ensemble, which came to the time `reached` (n,).
+    The trust horizon of a run that reached its end, not checked again; infinite: not within the run.
     """
 
 def outcomes() -> list[str]:
     """How runs end, by number."""
 
-def trust_horizon(description: Description, method: str, state: Sequence[float], t0: float, end: float, step: float, log2_of_tolerance: float, certify: float, progress: object | None) -> float:
-    """
-    First time at which an angle of the run is off by more than `certify`, or infinity. `step` is negative for a run backward, and 0 for an adaptive method.
-    """
-
 def long_run_digits() -> list[int]:
     """Decimal digits of the levels of `long_run`."""
 
-def long_run(description: Description, level: int, state: Sequence[float], t0: float, times: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], progress: object | None) -> tuple[NDArray[numpy.float64], str]:
+def long_run(request: Request, level: int, progress: object | None) -> RunResult:
     """
-    States (n, d, 2) at times (n,), which follow one another from t0 on, as heads and tails, and how it ended.
+    The run with the digits of a level: states and their tails at the request's times.
     """
 
 largest_start_angle: float = 1125899906842624.0

@@ -60,12 +60,36 @@ class Form:
 
 
 @dataclass(frozen=True)
+class Capabilities:
+    """What a system can.
+
+    Attributes:
+        conservative: its energy is constant.
+        autonomous: its equations do not depend on time.
+        closed_form: `exact` has its solution.
+        period: its motions have one, as a function of amplitude or state.
+        mapped: flip and divergence maps are made of it.
+        periodic: angles a whole turn apart are the same position; the equations take their sines.
+        degrees_of_freedom: how many angles it has.
+    """
+
+    conservative: bool
+    autonomous: bool
+    closed_form: bool
+    period: bool
+    mapped: bool
+    periodic: bool
+    degrees_of_freedom: int
+
+
+@dataclass(frozen=True)
 class SystemEntry:
     """A system of the catalogue."""
 
     name: str
     components: tuple[Component, ...]
     forms: tuple[Form, ...]
+    can: Capabilities
 
     def form_index(self, form: str) -> int:
         """Place of the form of that name."""
@@ -82,8 +106,11 @@ class Method:
         evaluations_per_step: of the right-hand side; None: it iterates.
         adaptive: whether it takes a tolerance instead of a step.
         symplectic: whether a step preserves the symplectic form.
+        needs: the facet of a system that it needs.
         systems: names of the systems it works for.
         source: where it was published.
+        stability_polynomial: what a step makes of y' = λ y, coefficients of the powers of λ h from
+            the lowest on; empty where it is none.
     """
 
     name: str
@@ -91,8 +118,10 @@ class Method:
     evaluations_per_step: int | None
     adaptive: bool
     symplectic: bool
+    needs: str
     systems: tuple[str, ...]
     source: str
+    stability_polynomial: tuple[float, ...]
 
 
 @cache
@@ -106,6 +135,7 @@ def system_entries() -> dict[str, SystemEntry]:
                 Form(form["name"], form["meaning"], tuple(map(_parameter, form["parameters"])))
                 for form in row["forms"]
             ),
+            Capabilities(**row["capabilities"]),
         )
         for row in _core.systems()
     )
@@ -126,27 +156,93 @@ def methods() -> tuple[Method, ...]:
     )
 
 
+def method_named(name: str) -> Method:
+    """The method of that name, which there is."""
+    return next(each for each in methods() if each.name == name)
+
+
+@dataclass(frozen=True)
+class OptionRow:
+    """An option of a run.
+
+    Attributes:
+        name: of the argument.
+        unit: SI; empty: a pure number.
+        whole: whether it is a whole number.
+        least: of its range; 0: above 0.
+        most: of its range.
+        example: a value.
+        taken_by: which methods take it.
+        meaning: one phrase.
+        otherwise: what is done where it is not given.
+    """
+
+    name: str
+    unit: str
+    whole: bool
+    least: float
+    most: float
+    example: float
+    taken_by: str
+    meaning: str
+    otherwise: str
+
+    @property
+    def sentence(self) -> str:
+        """A line of a docstring."""
+        unit = f" [{self.unit}]" if self.unit else ""
+        return f"{self.name}: {self.meaning}{unit}; None: {self.otherwise}."
+
+
+@cache
+def option_rows() -> tuple[OptionRow, ...]:
+    """The options of a run, in the core's order."""
+    return tuple(OptionRow(**row) for row in _core.option_rows())
+
+
+@dataclass(frozen=True)
+class RuleRow:
+    """The sentences of a rule, after the argument's name, and the ways out: templates."""
+
+    english: str
+    way_out_in_english: str
+    spanish: str
+    way_out_in_spanish: str
+
+
+@cache
+def rule_rows() -> dict[str, RuleRow]:
+    """The rules of the core by their keys."""
+    return {key: RuleRow(*sentences) for key, *sentences in _core.rule_rows()}
+
+
 def describe(system: str, form: str, parameters: tuple[float, ...]) -> Description:
     """The description the core takes."""
     return Description(system, system_entries()[system].form_index(form), list(parameters))
 
 
-def rows(function: str, description: Description, states: Array) -> Array:
-    """`rhs` or `positions` of states (..., d)."""
-    import numpy as np
+def rhs(description: Description, states: Array, t: float) -> Array:
+    """Time derivatives (..., d) of states (..., d)."""
+    return _core.rhs(description, _rows(states), t).reshape(states.shape)
 
-    flat = np.ascontiguousarray(states.reshape(-1, states.shape[-1]))
-    result: Array = getattr(_core, function)(description, flat)
-    return result.reshape(states.shape[:-1] + result.shape[1:])
+
+def positions(description: Description, states: Array) -> Array:
+    """Positions (..., d/2, 2) of states (..., d) [m]."""
+    found = _core.positions(description, _rows(states))
+    return found.reshape(states.shape[:-1] + found.shape[1:])
 
 
 def energies(description: Description, states: Array) -> tuple[Array, Array]:
     """Kinetic and potential energy of states (..., d), each (...) [J]."""
+    kinetic, potential = _core.energies(description, _rows(states))
+    return kinetic.reshape(states.shape[:-1]), potential.reshape(states.shape[:-1])
+
+
+def _rows(states: Array) -> Array:
+    """States (n, d) one after the other."""
     import numpy as np
 
-    flat = np.ascontiguousarray(states.reshape(-1, states.shape[-1]))
-    kinetic, potential = _core.energies(description, flat)
-    return kinetic.reshape(states.shape[:-1]), potential.reshape(states.shape[:-1])
+    return np.ascontiguousarray(states.reshape(-1, states.shape[-1]))
 
 
 def within_range_of_sine(states: Array) -> Array:
@@ -164,13 +260,23 @@ def within_range_of_sine(states: Array) -> Array:
 
 LARGEST_ANGLE = _core.largest_angle  # the sine ends there [rad]
 constants = _core.constants
-solve_fixed = _core.solve_fixed
-solve_adaptive = _core.solve_adaptive
+scales = _core.scales
+Event = _core.Event
+EVENT_KINDS = tuple(_core.event_kinds())  # by number
+Request = _core.Request
+Fault = _core.Fault
+check = _core.check
+check_method = _core.check_method
+check_options = _core.check_options
+check_system = _core.check_system
+solve = _core.solve
+RunResult = _core.RunResult
+Crossings = _core.Crossings
 DenseOutput = _core.DenseOutput
-trust_horizon = _core.trust_horizon
-trust_horizons = _core.trust_horizons
+OUTCOMES = tuple(_core.outcomes())  # how runs end, by number
 ensemble = _core.ensemble
-OUTCOMES = tuple(_core.outcomes())  # by number
+EnsembleResult = _core.EnsembleResult
+trust_horizon = _core.trust_horizon
 long_run = _core.long_run
 long_run_digits = _core.long_run_digits
 exact_solutions = {"linear": _core.exact_linear, "simple": _core.exact_simple}

@@ -11,6 +11,7 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from pendula._messages import ArgumentError, Naming
 from pendula.units import quantity
 
 if TYPE_CHECKING:
@@ -64,6 +65,20 @@ class RecipeFile:
         except ValueError as error:
             raise self.blame(section, keys, str(error)) from None
 
+    def naming(self, section: str) -> Naming:
+        """How errors name arguments: as the keys of a table."""
+        return _Keys(section)
+
+    @contextmanager
+    def blaming_keys(self, section: str, known: Iterable[str]) -> Iterator[None]:
+        """Let an argument's error name the key, and the line on which it stands."""
+        try:
+            yield
+        except ArgumentError as error:
+            key = error.argument if error.argument in known else ""
+            text = error.message.named(self.naming(section))
+            raise self.blame(section, (key, ""), text) from None
+
     def check_tables(self, known: Iterable[str]) -> None:
         """Refuse tables that are not among those known, and keys outside of tables.
 
@@ -107,6 +122,21 @@ class RecipeFile:
             what = re.sub(r"\s*\(at [^)]*\)$", "", str(error))
             hint = 'write text and quantities in quotes, as in length = "50 cm"'
             raise ValueError(f"{self.name}, line {line}: not TOML: {what}; {hint}") from None
+
+
+class _Keys(Naming):
+    """Arguments as the keys of a table."""
+
+    def __init__(self, section: str) -> None:
+        self._section = section
+
+    def argument(self, name: str) -> str:
+        """A key with its table."""
+        return f"{self._section}.{name}"
+
+    def given(self, name: str, value: str) -> str:
+        """A line of the table."""
+        return f"{name} = {as_toml(value)}"
 
 
 def suggestion(name: str, known: Iterable[str]) -> str:

@@ -5,25 +5,21 @@ from __future__ import annotations
 import math
 from functools import partial
 from time import process_time
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from pendula import _engine
-from pendula._checks import LARGEST_COUNT, finite_number, whole_number
+from pendula._checks import finite_number, whole_number
+from pendula._messages import ArgumentError
 from pendula.analysis.difference import angle_difference
 from pendula.analysis.method_work import MethodWork, WorkPrecision
-from pendula.run._arguments import (
-    BEST_TOLERANCE,
-    LARGEST_TOLERANCE,
-    checked_method,
-    checked_state,
-    log2_of,
-)
 from pendula.run.exact import exact
+from pendula.run.options import BEST_TOLERANCE, ROWS
+from pendula.run.request import Request, checked_name, checked_state, refuse
 from pendula.run.solve import solve
-from pendula.systems import DoublePendulum, System, check_system
+from pendula.systems import System, check_system
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Sequence
@@ -113,22 +109,25 @@ def work_precision(
 def time_scale(system: System, state: ArrayLike) -> float:
     """The period of the motion's fastest part: of its fastest small swing, or of a turn [s]."""
     start = checked_state(state, system)
-    fastest = (
-        system.normal_modes().frequencies[1]
-        if isinstance(system, DoublePendulum)
-        else math.sqrt(system.constants["natural_frequency_squared"])
-    )
-    return math.tau / max(fastest, float(np.abs(start[start.size // 2 :]).max()))
+    return math.tau / max(system.largest_frequency, float(np.abs(start[start.size // 2 :]).max()))
 
 
 def _chosen(system: System, names: Iterable[str] | None) -> list[_engine.Method]:
     """The methods of these names, each once."""
     if names is None:
         return [each for each in _engine.methods() if system.name in each.systems]
-    chosen = [checked_method(name, system) for name in dict.fromkeys(names)]
+    chosen = [_taken(checked_name(name), system) for name in dict.fromkeys(names)]
     if not chosen:
         raise ValueError("methods must name at least one method, got none")
     return chosen
+
+
+def _taken(name: str, system: System) -> _engine.Method:
+    """The method of that name, which takes the system."""
+    rest = np.zeros(len(system.components))
+    asked = Request(state=rest, t=np.array([1.0]), step=None)
+    refuse(_engine.check_method(asked.for_core(system, name)))
+    return _engine.method_named(name)
 
 
 def _outputs(scales: float) -> int:
@@ -145,7 +144,7 @@ def _reference(
     system: System, start: Array, t: Array, t0: float, progress: Callable[[float], None]
 ) -> tuple[Trajectory, float]:
     """The motion itself, and the bound of its error as a part of the largest angle."""
-    if isinstance(system, DoublePendulum):
+    if not system.can.closed_form:
         try:
             run = solve(system, start, t, t0=t0, digits=_DIGITS, progress=progress)
         except ValueError as error:
@@ -160,7 +159,7 @@ def _reference(
 def _settings(method: _engine.Method, scales: float, outputs: int, points: int) -> Array:
     """Tolerances, or the numbers of steps between two outputs, rising."""
     if method.adaptive:
-        return np.geomspace(LARGEST_TOLERANCE, BEST_TOLERANCE, points)
+        return np.geomspace(ROWS["tolerance"].most, BEST_TOLERANCE, points)
     # A low order begins with finer steps: its coarse ones are good for nothing.
     coarsest = math.ceil(scales * _OUTPUTS * (1 if method.order > _LOW_ORDER else 2) / outputs)
     finest = coarsest * min(10.0 ** (_DECADES / method.order), _WIDEST)
@@ -189,9 +188,9 @@ def _work(
     ]
     whole = np.array([run.outcome == "reached_end" for run in runs])
     counts = np.array([run.n_evaluations for run in runs], dtype=np.float64)
-    if method.name == "taylor":
+    if method.needs == "analytic":
         counts *= [series_order(each) for each in settings.tolist()]
-    seconds = _least_times([_bare_run(method, run) for run in runs]) if timed else math.nan
+    seconds = _least_times([_bare_run(method.name, run) for run in runs]) if timed else math.nan
     with np.errstate(over="ignore", invalid="ignore"):  # of a run that breaks down
         errors = [float(angle_difference(run, reference).max()) for run in runs]
         energies = [abs(float(run.energy_error[-1])) if run.t.size else math.inf for run in runs]
@@ -212,16 +211,9 @@ def series_order(tolerance: float) -> int:
     return 2 * math.ceil((1.0 - 0.5 * math.log(tolerance)) / 2.0 - 1e-3)
 
 
-def _bare_run(method: _engine.Method, run: Trajectory) -> Callable[[], object]:
+def _bare_run(method: str, run: Trajectory) -> Callable[[], object]:
     """The same run again without Python around it."""
-    asked, system = run.request, run.system._description()
-    t, start = np.asarray(asked.t), asked.state.tolist()
-    told: tuple[Any, ...] = system, method.name, start, asked.t0
-    if asked.tolerance is not None:
-        told += float(t[-1]), log2_of(asked.tolerance), LARGEST_COUNT, t, [], None
-        return partial(_engine.solve_adaptive, *told)
-    told += math.copysign(asked.step or 0.0, float(t[-1]) - asked.t0), LARGEST_COUNT, t, False, None
-    return partial(_engine.solve_fixed, *told)
+    return partial(_engine.solve, run.request.for_core(run.system, method), None)
 
 
 def _least_times(runs: Sequence[Callable[[], object]]) -> Array:

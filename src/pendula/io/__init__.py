@@ -83,19 +83,7 @@ def rerun(path: str | PathLike[str]) -> Trajectory:
     asked = old.request
     if old.method == "exact":
         return exact(old.system, asked.state, old.t, t0=asked.t0)
-    return solve(
-        old.system,
-        asked.state,
-        asked.t,
-        old.method,
-        t0=asked.t0,
-        step=asked.step,
-        max_steps=asked.max_steps,
-        tolerance=asked.tolerance,
-        events=asked.events,
-        certify=asked.certify,
-        digits=asked.digits,
-    )
+    return solve(old.system, asked.state, asked.t, old.method, t0=asked.t0, **asked.options)
 
 
 def _ending(path: Path) -> str:

@@ -9,8 +9,10 @@ from typing import TYPE_CHECKING, Any
 from pendula._checks import one_of
 from pendula._engine import methods
 from pendula._version import __version__
-from pendula.run.events import Crossings, described, event_from
-from pendula.run.trajectory import Request, Trajectory
+from pendula.run.events import Crossings
+from pendula.run.options import options_from
+from pendula.run.request import Request
+from pendula.run.trajectory import Trajectory
 from pendula.systems import system_from
 
 if TYPE_CHECKING:
@@ -34,20 +36,16 @@ def attributes(trajectory: Trajectory) -> str:
             "state": asked.state.tolist(),
             "t": _asked_times(trajectory),
             "t0": asked.t0,
-            "step": asked.step,
-            "max_steps": asked.max_steps,
-            "tolerance": asked.tolerance,
-            "events": [described(each) for each in asked.events],
-            "certify": asked.certify,
-            "digits": asked.digits,
+            **asked.described(),
             "outcome": trajectory.outcome,
             "n_steps": trajectory.n_steps,
             "n_evaluations": trajectory.n_evaluations,
+            "reached": _number(trajectory.reached),
             "crossings": [
                 {"times": each.times.tolist(), "states": each.states.tolist()}
                 for each in trajectory.events
             ],
-            "trust_horizon": _horizon(trajectory),
+            "trust_horizon": _number(trajectory.trust_horizon),
             "precision": trajectory.precision,
         },
         ensure_ascii=True,
@@ -55,9 +53,9 @@ def attributes(trajectory: Trajectory) -> str:
     )
 
 
-def _horizon(trajectory: Trajectory) -> float | str | None:
+def _number(value: float | None) -> float | str | None:
     """JSON has no infinity."""
-    return "inf" if trajectory.trust_horizon == math.inf else trajectory.trust_horizon
+    return "inf" if value == math.inf else value
 
 
 def _asked_times(trajectory: Trajectory) -> float | list[float] | None:
@@ -82,14 +80,12 @@ def from_attributes(text: str, t: Array, states: Array, source: Path) -> Traject
         state = np.array(known["state"], dtype=np.float64)
         asked = t if known["t"] is None else known["t"]
         times = asked if isinstance(asked, float) else np.array(asked, dtype=np.float64)
-        told = {name: known.get(name) for name in ("tolerance", "certify", "digits")}
-        events = tuple(map(event_from, known.get("events", ())))
-        steps = known["step"], known["max_steps"]
-        request = Request(state, times, known["t0"], *steps, events=events, **told)
+        request = Request(state=state, t=times, t0=known["t0"], **options_from(known))
         method = one_of("method", known["method"], ("exact", *(each.name for each in methods())))
         if states.shape[-1] != state.shape[-1] or state.shape[-1] != len(system.components):
             raise ValueError(f"states of {states.shape[-1]} components")
-        counts = known["outcome"], known["n_steps"], known["n_evaluations"]
+        reached = float(known.get("reached", t[-1] if t.size else known["t0"]))
+        counts = known["outcome"], known["n_steps"], known["n_evaluations"], reached
         return Trajectory(system, method, t, states, request, *counts, **_found(known))
     except (AttributeError, KeyError, TypeError, ValueError) as error:
         raise NotATrajectoryError(

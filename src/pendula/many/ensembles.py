@@ -6,25 +6,26 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
+from pendula import _engine
 from pendula._checks import check_progress, finite_number, states_array
+from pendula._messages import ArgumentError
 from pendula._progress import part
 from pendula.many.tasks import Runs, Task, checked_threads, run_task
-from pendula.run._arguments import (
-    checked_method,
-    checked_options,
-    output_times,
-)
-from pendula.run.trust import digits_states
+from pendula.run.options import checked_types, takes_options
+from pendula.run.request import checked_name, refuse, times_array
+from pendula.run.trust import DigitsError, digits_states
 from pendula.systems import System, check_system
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Mapping, Sequence
+    from typing import Unpack
 
     from numpy.typing import ArrayLike
 
     from pendula._progress import Progress
     from pendula._types import Array
-    from pendula.run.events import Event
+    from pendula.run.options import RunOptions
+
 
 
 @dataclass(frozen=True, eq=False, repr=False, kw_only=True)
@@ -65,6 +66,7 @@ class Ensemble(Runs):
         return energies
 
 
+@takes_options()
 def ensemble(
     system: System | Sequence[System],
     states: ArrayLike,
@@ -72,14 +74,9 @@ def ensemble(
     method: str = "taylor",
     *,
     t0: float = 0.0,
-    step: float | None = None,
-    tolerance: float | None = None,
-    max_steps: int | None = None,
-    events: Event | Iterable[Event] = (),
-    certify: float | None = None,
-    digits: int | None = None,
     threads: int | None = None,
     progress: Progress = None,
+    **options: Unpack[RunOptions],
 ) -> Ensemble:
     """The motions from many states, or of many systems, or both.
 
@@ -93,15 +90,12 @@ def ensemble(
         method: a name that `methods()` lists; all run through the processor's lanes, but those of
             dop853 with events.
         t0: time of the states [s].
-        step: as for `solve`.
-        tolerance: as for `solve`.
-        max_steps: most steps of each run. None: no limit.
-        events: as for `solve`.
-        certify: as for `solve`; takes some fifty times as long as the runs.
-        digits: as for `solve`, one trajectory after the other; where they cannot be had the states
-            are NaN and the outcome is "not_finite".
         threads: None: one for each processor.
         progress: told the part of the trajectories that is done, 0 to 1, some times a second.
+        **options: see `RunOptions`.
+
+    `certify` takes some fifty times as long as the runs. With `digits` one trajectory is run after
+    the other; where they cannot be had the states are NaN and the outcome is "digits_limit".
 
     Returns:
         The ensemble, in the order of the states.
@@ -111,21 +105,44 @@ def ensemble(
     """
     check_progress(progress)
     systems = _checked_systems(system)
-    kind = systems[0]
-    chosen = checked_method(method, kind)
-    origin = finite_number("t0", t0, "s")
-    times, _ = output_times(t, origin)
-    given = {"step": step, "tolerance": tolerance, "certify": certify, "max_steps": max_steps}
-    options = checked_options(systems, chosen, origin, times, digits, events, **given)
-    task = Task(kind.name, kind.form, chosen.name, origin, times, **options)
     starts, parameters = _checked_rows(systems, states)
+    task = _checked_task(systems, starts, t, method, t0, options)
     count = checked_threads(threads)
-    if digits is None:
+    if task.digits is None:
         found = run_task(task, parameters, starts, count, progress)
     else:
-        found = _runs_with_digits(task, systems, starts, digits, progress)
+        found = _runs_with_digits(task, systems, starts, task.digits, progress)
     asked = system if isinstance(system, System) else systems
-    return Ensemble(systems=asked, method=chosen.name, t=times, **vars(found))
+    return Ensemble(systems=asked, method=task.method, t=task.t, **vars(found))
+
+
+def _checked_task(
+    systems: tuple[System, ...],
+    starts: Array,
+    t: ArrayLike,
+    method: object,
+    t0: float,
+    options: Mapping[str, Any],
+) -> Task:
+    """What all runs have in common, which goes together for each of the systems."""
+    import numpy as np
+
+    one = systems[0]
+    origin = finite_number("t0", t0, "s")
+    times = times_array(t)
+    if times.ndim == 0 and float(times) == origin:
+        rule = "must differ from <t0> = {t0} s, got {value}"
+        raise ArgumentError("t", rule, t0=origin, value=float(times))
+    fields = checked_types(options, "ensemble")
+    name = checked_name(method)
+    task = Task(
+        system=one.name, form=one.form, method=name, t0=origin, t=np.atleast_1d(times), **fields
+    )
+    first = np.ascontiguousarray(starts[0]) if len(starts) else np.zeros(starts.shape[1])
+    for each in systems:
+        parameters = np.array(list(each.parameters.values()))
+        refuse(_engine.check(task.for_core(parameters, first)))
+    return task
 
 
 def _checked_systems(system: System | Sequence[System]) -> tuple[System, ...]:
@@ -139,9 +156,11 @@ def _checked_systems(system: System | Sequence[System]) -> tuple[System, ...]:
     kinds = {(each.name, each.form) for each in systems}
     if len(kinds) != 1:
         told = ", ".join(sorted(" ".join(kind).strip() for kind in kinds)) or "none"
-        raise ValueError(
-            f"system must be one pendulum, or n of the same kind and form, got {told}; "
-            "make an ensemble of each kind"
+        raise ArgumentError(
+            "system",
+            "must be one pendulum, or n of the same kind and form, got {text}",
+            "make an ensemble of each kind",
+            text=told,
         )
     return systems
 
@@ -154,9 +173,11 @@ def _checked_rows(systems: tuple[System, ...], states: ArrayLike) -> tuple[Array
     if starts.ndim == 1:
         starts = np.tile(starts, (len(systems), 1))
     if starts.ndim != 2 or (len(systems) > 1 and len(systems) != len(starts)):
-        raise ValueError(
-            f"states must be one for each trajectory, of shape (n, {starts.shape[-1]}), for "
-            f"{len(systems)} systems, got {starts.shape}"
+        raise ArgumentError(
+            "states",
+            f"must be one for each trajectory, of shape (n, {starts.shape[-1]}), for "
+            f"{len(systems)} systems, got {{value}}",
+            value=starts.shape,
         )
     parameters = np.array([list(each.parameters.values()) for each in systems])
     return np.ascontiguousarray(starts), parameters
@@ -171,7 +192,7 @@ def _runs_with_digits(
     n, late = len(starts), task.t[task.t != task.t0]
     states = np.full((n, task.t.size, starts.shape[1]), np.nan)
     states[:, task.t == task.t0] = starts[:, np.newaxis]
-    outcomes, reached = np.full(n, "reached_end"), np.full(n, task.t[-1])
+    outcomes, reached = np.full(n, "reached_end", "U12"), np.full(n, task.t[-1])
     for i, start in enumerate(starts if late.size else ()):
         system = systems[i % len(systems)]
         share = part(progress, i / n, (i + 1) / n)
@@ -179,7 +200,9 @@ def _runs_with_digits(
             states[i, task.t != task.t0] = digits_states(
                 system, start, late, task.t0, digits, share
             )[0]
-        except ValueError:
-            outcomes[i], reached[i] = "not_finite", task.t0
-    steps = np.zeros(n, np.int64)
-    return Runs(states=states, outcomes=outcomes, n_steps=steps, reached=reached)
+        except DigitsError as error:
+            outcomes[i], reached[i] = error.outcome, task.t0
+    counts = np.zeros(n, np.int64)
+    return Runs(
+        states=states, outcomes=outcomes, n_steps=counts, n_evaluations=counts, reached=reached
+    )

@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-import math
 import os
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, NamedTuple
 
 from pendula import _engine
-from pendula._checks import LARGEST_COUNT, whole_number
-from pendula._progress import part
-from pendula.run._arguments import log2_of
+from pendula._checks import whole_number
+from pendula.run.options import Options
+from pendula.run.request import core_request, refuse
 
 if TYPE_CHECKING:
     import numpy as np
@@ -22,28 +21,30 @@ if TYPE_CHECKING:
 
 
 MOST_THREADS = 1024
-_PLAIN_SHARE = 0.02  # of the work of a certified ensemble: the runs themselves
 
 
-@dataclass(frozen=True)
-class Task:
-    """What all trajectories of an ensemble have in common, checked."""
+@dataclass(frozen=True, kw_only=True)
+class Task(Options):
+    """What all trajectories of an ensemble have in common, checked, with the options of a run.
+
+    Attributes:
+        system: name in the catalogue.
+        form: of the system's description.
+        method: name in the catalogue.
+        t0: time of the starts [s].
+        t: times of the outputs, (m,) [s].
+    """
 
     system: str
     form: str
     method: str
-    t0: float
+    t0: float = 0.0
     t: Array
-    step: float | None = None
-    tolerance: float | None = None
-    max_steps: int | None = None
-    events: tuple[Event, ...] = ()
-    certify: float | None = None
 
-    @property
-    def signed_step(self) -> float:
-        """The step in the direction of time, 0 where the method chooses its own."""
-        return math.copysign(self.step or 0.0, float(self.t[-1]) - self.t0)
+    def for_core(self, parameters: Array, state: Array) -> _engine.Request:
+        """The request of the trajectory with these parameters (p,) and this start (d,)."""
+        description = _engine.describe(self.system, self.form, tuple(parameters.tolist()))
+        return core_request(description, self.method, state, self.t0, self.t, self)
 
 
 class EnsembleCrossings(NamedTuple):
@@ -68,6 +69,7 @@ class Runs:
         states: at those times, (n, m, d) [rad, rad/s]; NaN where a run did not come so far.
         outcomes: how each run ended, (n,): "reached_end", "event", "step_limit" or "not_finite".
         n_steps: steps that each took, (n,).
+        n_evaluations: of the right-hand side, or of the series, (n,).
         reached: the time up to which each was made, (n,) [s].
         events: trajectories, times and states of each event.
         trust_horizon: (n,) [s], infinite where it is not passed within the run; None: not asked.
@@ -76,6 +78,7 @@ class Runs:
     states: Array
     outcomes: NDArray[np.str_]
     n_steps: NDArray[np.int64]
+    n_evaluations: NDArray[np.int64]
     reached: Array
     events: tuple[EnsembleCrossings, ...] = ()
     trust_horizon: Array | None = None
@@ -95,32 +98,42 @@ def run_task(
     """
     import numpy as np
 
-    share = 1.0 if task.certify is None else _PLAIN_SHARE
-    form = _engine.system_entries()[task.system].form_index(task.form)
-    common = task.system, form, parameters, task.method, states, task.t0
-    accuracy = task.signed_step, log2_of(task.tolerance or 1.0)
-    limit, rows = task.max_steps or LARGEST_COUNT, [each.row() for each in task.events]
-    found, ended, steps, reached, crossings = _engine.ensemble(
-        *common, task.t, *accuracy, limit, rows, threads, part(progress, 0.0, share)
-    )
-    horizons = None
-    if task.certify is not None:
-        horizons = _engine.trust_horizons(
-            *common, reached, *accuracy, task.certify, threads, part(progress, share, 1.0)
-        )
+    count, dimension = states.shape
+    if count == 0:
+        return _no_runs(task, dimension)
+    asked = task.for_core(parameters[0], np.ascontiguousarray(states[0]))
+    result = _engine.ensemble(asked, states, parameters, threads, progress)
+    refuse(result.refused)
     if progress is not None:
         progress(1.0)
-    outcomes, events = np.array(_engine.OUTCOMES)[ended], [EnsembleCrossings(*c) for c in crossings]
-    if horizons is not None:  # beyond its end a run that broke down is right about nothing
-        broken = (outcomes == "not_finite") & np.isinf(horizons)
-        horizons[broken] = reached[broken]
     return Runs(
-        states=found,
-        outcomes=outcomes,
-        n_steps=steps,
-        reached=reached,
-        events=tuple(events),
-        trust_horizon=horizons,
+        states=result.states(task.t.size, dimension),
+        outcomes=np.array(result.outcomes),
+        n_steps=result.n_steps,
+        n_evaluations=result.n_evaluations,
+        reached=result.reached,
+        events=tuple(
+            EnsembleCrossings(each.trajectories, each.times, each.states(dimension))
+            for each in result.events
+        ),
+        trust_horizon=None if task.certify is None else result.trust_horizon,
+    )
+
+
+def _no_runs(task: Task, dimension: int) -> Runs:
+    """What comes back of no starts."""
+    import numpy as np
+
+    none, no_counts = np.empty(0), np.empty(0, np.int64)
+    nothing = EnsembleCrossings(no_counts, none, np.empty((0, dimension)))
+    return Runs(
+        states=np.empty((0, task.t.size, dimension)),
+        outcomes=np.empty(0, str),
+        n_steps=no_counts,
+        n_evaluations=no_counts,
+        reached=none,
+        events=(nothing,) * len(task.events),
+        trust_horizon=None if task.certify is None else none,
     )
 
 

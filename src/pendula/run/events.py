@@ -6,16 +6,16 @@ import math
 from dataclasses import asdict, dataclass
 from typing import TYPE_CHECKING, Any, NamedTuple
 
+from pendula import _engine
 from pendula._checks import LARGEST_COUNT, finite_number, one_of, whole_number
+from pendula._messages import ArgumentError
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
 
     from pendula._types import Array
-    from pendula.systems import System
 
 
-_KINDS = ("angle", "velocity_zero", "tip_height")  # in the core's order
 _REST_OF_PI = 1.2246467991473532e-16  # π less the double nearest to it
 
 
@@ -51,11 +51,13 @@ class Event:
     direction: int = 0
     terminal: int = 0
 
-    def row(self) -> tuple[int, int, float, float, bool, int, int]:
+    def for_core(self) -> _engine.Event:
         """The event as the core takes it."""
         tail = _REST_OF_PI if self.every_turn and self.value == math.pi else 0.0
-        place = _KINDS.index(self.kind), max(self.index - 1, 0)
-        return *place, self.value, tail, self.every_turn, self.direction, self.terminal
+        kind, index = _engine.EVENT_KINDS.index(self.kind), max(self.index - 1, 0)
+        return _engine.Event(
+            kind, index, self.value, tail, self.every_turn, self.direction, self.terminal
+        )
 
 
 def angle(
@@ -107,13 +109,12 @@ def tip_height(y: float, direction: int = 0, terminal: bool | int = False) -> Ev
     return Event("tip_height", 0, height, False, _direction(direction), _terminal(terminal))
 
 
-def checked_events(events: object, system: System, name: str = "events") -> tuple[Event, ...]:
-    """The events, each of which the system can have.
+def checked_events(events: object, name: str = "events") -> tuple[Event, ...]:
+    """The events, if they are any; the core looks at whether a system can have them.
 
     Raises:
         ValueError: for anything else.
     """
-    rods = len(system.components) // 2
     if isinstance(events, Event | str):
         events = (events,)
     try:
@@ -122,15 +123,11 @@ def checked_events(events: object, system: System, name: str = "events") -> tupl
         found = (events,)
     for each in found:
         if not isinstance(each, Event):
-            raise ValueError(
-                f"{name} must be made by pendula.events: angle, flip, velocity_zero or tip_height; "
-                f"got {each!r}"
+            rule = (
+                "must be made by pendula.events: angle, flip, velocity_zero or tip_height; "
+                "got {value}"
             )
-        if each.index > rods:
-            raise ValueError(
-                f"i must be {' or '.join(map(str, range(1, rods + 1)))} for the {system.name} "
-                f"pendulum, got {each.index}"
-            )
+            raise ArgumentError(name, rule, value=each)
     return found
 
 
@@ -141,12 +138,12 @@ def described(event: Event) -> dict[str, Any]:
 
 def event_from(data: dict[str, Any]) -> Event:
     """The event of its attributes, as files carry them."""
-    return Event(**{**data, "kind": one_of("kind", data["kind"], _KINDS)})
+    return Event(**{**data, "kind": one_of("kind", data["kind"], _engine.EVENT_KINDS)})
 
 
-def crossings_of(pairs: Iterable[tuple[Array, Array]]) -> tuple[Crossings, ...]:
-    """Times and states of each event as `Crossings`."""
-    return tuple(Crossings(times, states) for times, states in pairs)
+def crossings_of(found: Iterable[_engine.Crossings], dimension: int) -> tuple[Crossings, ...]:
+    """What the core found of each event."""
+    return tuple(Crossings(each.times, each.states(dimension)) for each in found)
 
 
 def _event(
@@ -158,9 +155,8 @@ def _event(
 
 def _direction(direction: object) -> int:
     if direction not in (-1, 0, 1) or isinstance(direction, bool):
-        raise ValueError(
-            f"direction must be 1 (growing with time), -1 (falling) or 0 (both), got {direction!r}"
-        )
+        rule = "must be 1 (growing with time), -1 (falling) or 0 (both), got {value}"
+        raise ArgumentError("direction", rule, value=direction)
     return int(direction)
 
 

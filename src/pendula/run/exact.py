@@ -6,8 +6,10 @@ from typing import TYPE_CHECKING, Any
 
 from pendula import _engine
 from pendula._checks import finite_array, finite_number, states_array
-from pendula.run.trajectory import Request, Trajectory, exact_states
-from pendula.systems import LinearPendulum, SimplePendulum, System, check_system
+from pendula.run.closed_form import exact_states
+from pendula.run.request import Request
+from pendula.run.trajectory import Trajectory
+from pendula.systems import System, with_closed_form
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -35,12 +37,12 @@ def exact(system: System, state: ArrayLike, t: ArrayLike, *, t0: float = 0.0) ->
             2^50 rad or more, a speed of 2^900 natural frequencies, or a time more than 2^200 half
             periods away (linear: an amplitude of 2^900 rad, 2^50 half periods).
     """
-    _checked(system)
+    with_closed_form(system)
     start = states_array(state, system.components, finite=False)  # the core refuses others
     origin = finite_number("t0", t0, "s")
     times = finite_array("t", t, "s").reshape(-1)
     states = exact_states(system, start, times, origin)
-    return Trajectory(system, "exact", times, states, Request(start, times, origin))
+    return Trajectory(system, "exact", times, states, Request(state=start, t=times, t0=origin))
 
 
 def time_at(system: System, state: ArrayLike, theta: ArrayLike) -> Any:
@@ -61,9 +63,9 @@ def time_at(system: System, state: ArrayLike, theta: ArrayLike) -> Any:
     """
     import numpy as np
 
-    one_bob = _checked(system)
+    solvable = with_closed_form(system)
     start = states_array(state, system.components)
-    one_bob.check_start(start)
+    solvable.check_start(start)
     angles = finite_array("theta", theta, "rad")
     shape = np.broadcast_shapes(start.shape[:-1], angles.shape)
     length, gravity, _ = system.parameters.values()
@@ -92,25 +94,7 @@ def action(system: System, state: ArrayLike) -> Any:
     Raises:
         ValueError: for a system without a closed form, or values that are not finite.
     """
-    import numpy as np
-
-    one_bob = _checked(system)
+    solvable = with_closed_form(system)
     start = states_array(state, system.components)
-    if isinstance(one_bob, LinearPendulum):
-        result = one_bob.energy(start) / one_bob.natural_frequency
-    else:
-        one_bob.check_start(start)
-        length, gravity, mass = system.parameters.values()
-        states = np.ascontiguousarray(start.reshape(-1, 2))
-        result = _engine.simple_action(length, gravity, mass, states).reshape(start.shape[:-1])
+    result = solvable.actions(start)
     return result if start.ndim > 1 else float(result)
-
-
-def _checked(system: System) -> LinearPendulum | SimplePendulum:
-    check_system(system)
-    if not isinstance(system, LinearPendulum | SimplePendulum):
-        raise ValueError(
-            f"system must be a LinearPendulum or SimplePendulum, got {system!r}: "
-            "no closed form is known; use solve"
-        )
-    return system

@@ -7,18 +7,25 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from pendula import _engine
-from pendula._checks import LARGEST_COUNT, finite_number, whole_number
-from pendula.run._arguments import checked_state, checked_tolerance, log2_of
-from pendula.run.events import Crossings, Event, checked_events
+from pendula._checks import finite_number, whole_number
+from pendula._messages import ArgumentError
+from pendula.run.events import Crossings, Event, checked_events, crossings_of
+from pendula.run.options import checked_types, takes_options
+from pendula.run.request import Request, checked_state, refuse
 from pendula.systems import System, check_system
 
 if TYPE_CHECKING:
+    from typing import Unpack
+
     from numpy.typing import ArrayLike
+
+    from pendula.run.options import RunOptions
 
 _MOST_CROSSINGS = 10**8  # 4 GB
 _MOST_STEPS = 10**8  # about a minute
 
 
+@takes_options("tolerance", "max_steps")
 def poincare_section(
     system: System,
     state: ArrayLike,
@@ -26,8 +33,7 @@ def poincare_section(
     n: int,
     *,
     t0: float = 0.0,
-    tolerance: float | None = None,
-    max_steps: int | None = None,
+    **options: Unpack[RunOptions],
 ) -> Crossings:
     """The first n crossings of a surface by the motion from a state, with the Taylor method.
 
@@ -37,8 +43,7 @@ def poincare_section(
         event: the surface, such as angle(1, 0.0, direction=1, every_turn=True).
         n: how many crossings.
         t0: time of the state [s].
-        tolerance: of the method, 1e-3 down to 2^-52 (the standard).
-        max_steps: most steps to look for them; about 10^8, a minute, if none is named.
+        **options: see `RunOptions`.
 
     Returns:
         Times (n,) [s] and states (n, d) [rad, rad/s] of the crossings.
@@ -49,29 +54,28 @@ def poincare_section(
     import numpy as np
 
     check_system(system)
-    start = checked_state(state, system)
-    (surface,) = checked_events(event, system, "event")
+    (surface,) = checked_events(event, "event")
     count = whole_number("n", n, _MOST_CROSSINGS)
-    origin = finite_number("t0", t0, "s")
-    limit = (
-        _MOST_STEPS if max_steps is None else whole_number("max_steps", max_steps, LARGEST_COUNT)
+    asked = Request(
+        state=checked_state(state, system),
+        t=np.array([math.inf]),  # no outputs
+        t0=finite_number("t0", t0, "s"),
+        **{
+            **checked_types(options, "poincare_section"),
+            "events": (replace(surface, terminal=count),),
+        },
     )
-    *_, outcome, steps, _, crossings, _ = _engine.solve_adaptive(
-        system._description(),
-        "taylor",
-        start.tolist(),
-        origin,
-        math.inf,
-        log2_of(checked_tolerance(tolerance)),
-        limit,
-        np.array([math.inf]),  # no outputs
-        [replace(surface, terminal=count).row()],
-        None,
-    )
-    found = Crossings(*crossings[0])
+    if asked.max_steps is None:
+        asked = replace(asked, max_steps=_MOST_STEPS)
+    result = _engine.solve(asked.for_core(system, "taylor"), None)
+    refuse(result.refused)
+    (found,) = crossings_of(result.events, asked.state.size)
     if len(found.times) < count:
-        raise ValueError(
-            f"n must be a number of crossings that the motion makes: {len(found.times)} of {count} "
-            f"were found in {steps} steps ({outcome}); take a larger max_steps or another event"
+        raise ArgumentError(
+            "n",
+            "must be a number of crossings that the motion makes: {text} were found in "
+            f"{result.n_steps} steps ({result.outcome})",
+            "take a larger <max_steps> or another event",
+            text=f"{len(found.times)} of {count}",
         )
     return found

@@ -8,10 +8,10 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 from pendula import _engine
-from pendula._checks import LARGEST_COUNT, check_finite, finite_array
+from pendula._checks import finite_array
 from pendula._late_methods import with_promised
-from pendula.run._arguments import MOST_OWN_STEPS, log2_of
-from pendula.systems import LinearPendulum, SimplePendulum
+from pendula._messages import ArgumentError
+from pendula.run.closed_form import exact_states
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -23,35 +23,9 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
     from pendula._types import Array
-    from pendula.run.events import Crossings, Event
+    from pendula.run.events import Crossings
+    from pendula.run.request import Request
     from pendula.systems import System
-
-
-@dataclass(frozen=True)
-class Request:
-    """What was asked for: enough to run it again.
-
-    Attributes:
-        state: at time t0, (d,), or (..., d) for several exact solutions.
-        t0: time of that state [s].
-        t: the one end time, where the output is the method's own steps, or output times, (n,) [s].
-        step: of a fixed-step method [s].
-        max_steps: most steps allowed; None: no limit.
-        tolerance: of an adaptive method.
-        events: looked for inside the steps.
-        certify: angle by which the run may be off up to its trust horizon [rad].
-        digits: that are right at every output time.
-    """
-
-    state: Array
-    t: float | Array
-    t0: float = 0.0
-    step: float | None = None
-    max_steps: int | None = None
-    tolerance: float | None = None
-    events: tuple[Event, ...] = ()
-    certify: float | None = None
-    digits: int | None = None
 
 
 @with_promised
@@ -70,6 +44,7 @@ class Trajectory:
             holds what was reached before.
         n_steps: steps taken, shortened ones included.
         n_evaluations: of the right-hand side; of the series, with the Taylor method.
+        reached: the time up to which the motion is known [s]; inf: the closed form's is, always.
         events: times and states of each event asked for, in that order.
         trust_horizon: first time at which an angle of the run is off by more than `certify` [s];
             inf: not within the run; None: not asked.
@@ -85,6 +60,7 @@ class Trajectory:
     outcome: str = "reached_end"
     n_steps: int = 0
     n_evaluations: int = 0
+    reached: float = math.inf
     events: tuple[Crossings, ...] = ()
     trust_horizon: float | None = None
     precision: int | None = None
@@ -121,7 +97,7 @@ class Trajectory:
         import numpy as np
 
         start = self.system.energy(self.request.state)[..., np.newaxis]
-        scale = np.where(start == 0.0, self.system.constants["energy_scale"], start)
+        scale = np.where(start == 0.0, self.system.energy_scale, start)
         return (self.energy - start) / scale
 
     @property
@@ -150,22 +126,24 @@ class Trajectory:
         import numpy as np
 
         asked = self.request
-        if asked.tolerance is None:
-            raise ValueError(
-                f"at needs a method with dense output, got {self._told()}; "
-                "ask solve for these times: solve(system, state, t, ...)"
+        if asked.digits is not None or not _engine.method_named(self.method).adaptive:
+            raise ArgumentError(
+                "at",
+                "needs a method with dense output, got {value}",
+                "ask solve for these times: solve(system, state, t, ...)",
+                value=self.method if asked.digits is None else "a run with digits",
             )
         last = self._dense.reached
         direction = -1.0 if last < asked.t0 else 1.0
         beyond = ((times - asked.t0) * direction < 0) | ((times - last) * direction > 0)
         if beyond.any():
-            raise ValueError(
-                f"t must lie within the run, from {asked.t0!r} to {last!r} s, "
-                f"got {float(times[beyond.argmax()])!r}"
-            )
+            rule = f"must lie within the run, from {asked.t0!r} to {last!r} s, got {{value}}"
+            raise ArgumentError("t", rule, value=float(times[beyond.argmax()]))
         order = np.argsort(direction * times, kind="stable")
         states = np.empty((times.size, asked.state.size))
-        states[order] = self._dense.at(np.ascontiguousarray(times[order]))
+        states[order] = self._dense.at(
+            np.ascontiguousarray(times[order]), asked.state.size
+        )
         return states
 
     @cached_property
@@ -173,11 +151,9 @@ class Trajectory:
         """What the run left, or, of one read from a file, the same run made again."""
         if self.dense is not None:
             return self.dense
-        again: _engine.DenseOutput = run_adaptive(self.system, self.method, self.request, None)[-1]
+        again = _engine.solve(self.request.for_core(self.system, self.method), None).dense
+        assert again is not None  # the method has dense output
         return again
-
-    def _told(self) -> str:
-        return repr(self.method) if self.request.digits is None else "a run with digits"
 
     def __getstate__(self) -> dict[str, Any]:
         """Without what can be made again."""
@@ -209,66 +185,3 @@ class Trajectory:
         count = self.states.shape[-1] // 2
         part = self.states[..., which * count : (which + 1) * count]
         return part[..., 0] if count == 1 else part
-
-
-def run_adaptive(
-    system: System, method: str, asked: Request, progress: Callable[[float], None] | None
-) -> tuple[Any, ...]:
-    """What the core gives for a checked request.
-
-    Times, states, how the run ended, steps, evaluations, (times, states) of each event, and the
-    dense output.
-    """
-    import numpy as np
-
-    own_steps = isinstance(asked.t, float)
-    end = asked.t if isinstance(asked.t, float) else float(asked.t[-1])
-    span = end - asked.t0
-    return _engine.solve_adaptive(
-        system._description(),
-        method,
-        asked.state.tolist(),
-        asked.t0,
-        end,
-        log2_of(asked.tolerance or 1.0),
-        asked.max_steps or (MOST_OWN_STEPS if own_steps else LARGEST_COUNT),
-        None if own_steps else np.asarray(asked.t),
-        [each.row() for each in asked.events],
-        None if progress is None else lambda t: progress((t - asked.t0) / span),
-    )
-
-
-def exact_states(system: System, state: Array, t: Array, t0: float) -> Array:
-    """The closed form at times (n,) from the state at t0: (n, 2), or (..., n, 2) for (..., 2).
-
-    Raises:
-        ValueError: where an angle or a time is so large that nothing of the motion is left of it.
-    """
-    import numpy as np
-
-    length, gravity, _ = system.parameters.values()
-    states = np.ascontiguousarray(state.reshape(-1, 2))
-    out = np.empty((len(states), t.size, 2))
-    if t.size == 0:
-        check_finite("state", state)
-    if not _engine.exact_solutions[system.name](length, gravity, states, t, t0, out):
-        check_finite("state", state)
-        _refuse(system, states, t - t0, out)
-    return out.reshape((*state.shape[:-1], t.size, 2))
-
-
-def _refuse(system: System, states: Array, elapsed: Array, out: Array) -> None:
-    """Say which state or time the closed form refused."""
-    import numpy as np
-
-    where = int(np.isnan(out[..., 0]).argmax())
-    which, when = divmod(where, elapsed.size)
-    if isinstance(system, LinearPendulum | SimplePendulum):
-        system.check_start(states[which])
-    linear = isinstance(system, LinearPendulum)
-    most = _engine.COUNTED_HALF_PERIODS if linear else _engine.MOST_HALF_PERIODS
-    raise ValueError(
-        f"t must lie within 2^{math.log2(most):.0f} half periods of t0, which are all that is "
-        "counted; take whole periods off; "
-        f"got t - t0 = {float(elapsed[when])!r} s from state {states[which].tolist()}"
-    )

@@ -7,7 +7,8 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
 from pendula import _engine
-from pendula.run._arguments import BEST_TOLERANCE, log2_of
+from pendula._messages import ArgumentError
+from pendula.run.request import Request
 
 if TYPE_CHECKING:
     import numpy as np
@@ -25,49 +26,16 @@ GROWTH_ALLOWED = 1.1  # of the logarithm of errors, beyond the growth that was s
 LARGEST_ANGLE = 2.0**50  # of the many-digit runs [rad]
 
 
-def horizon(
-    system: System,
-    state: Array,
-    method: str,
-    t0: float,
-    end: float,
-    *,
-    step: float | None = None,
-    tolerance: float | None = None,
-    certify: float,
-    progress: Progress = None,
-) -> float:
-    """First time at which an angle of a run with doubles is off by more than `certify` [s].
+class DigitsError(ArgumentError):
+    """Digits that cannot be had.
 
-    The run is made once more beside the motion itself, worked out with twice the digits: at each
-    step of a fixed-step method, and inside the steps of an adaptive one.
-
-    Args:
-        system: a pendulum.
-        state: at time t0, (d,) [rad, rad/s].
-        method: of the run.
-        t0: time of the state [s].
-        end: of the run, not t0 [s].
-        step: of a fixed-step method, positive [s].
-        tolerance: of an adaptive method; None: its best.
-        certify: the largest error of an angle that is allowed, up to 1 [rad].
-        progress: told the part of the run that is done, 0 to 1, some times a second.
-
-    Returns:
-        The time; inf where it is not within the run.
+    Attributes:
+        outcome: how a run that asks for them ends: "digits_limit" or "not_finite".
     """
-    span = end - t0
-    return _engine.trust_horizon(
-        system._description(),
-        method,
-        state.tolist(),
-        t0,
-        end,
-        0.0 if step is None else math.copysign(step, span),
-        log2_of(tolerance or BEST_TOLERANCE),
-        certify,
-        None if progress is None else lambda t: progress((t - t0) / span),
-    )
+
+    def __init__(self, outcome: str, rule: str, way_out: str) -> None:
+        super().__init__("digits", rule, way_out)
+        self.outcome = outcome
 
 
 def digits_states(
@@ -155,7 +123,8 @@ class _LongRuns:
 
         end = float(self.times[-1])
         span = end - self.t0
-        parted = horizon(self.system, self.state, "taylor", self.t0, end, certify=PARTED) - self.t0
+        certified = Request(state=self.state, t=end, t0=self.t0, certify=PARTED)
+        parted = _engine.trust_horizon(certified.for_core(self.system, "taylor"), None) - self.t0
         if math.isinf(parted) or parted == 0.0:  # an angle that doubles cannot run with
             return self._level_for(digits + LOST)
         lost = GROWTH_ALLOWED * LOST * span / parted
@@ -186,12 +155,13 @@ class _LongRuns:
         lost = self.levels[0] - float(common[: last + 1].min())
         return float(GROWTH_ALLOWED * lost * seen[1] / seen[0])
 
-    def too_far(self, digits: int, until: float) -> ValueError:
+    def too_far(self, digits: int, until: float) -> DigitsError:
         """The error that says how far it goes."""
-        return ValueError(
-            f"digits = {digits} at t = {float(self.times[-1]):g} s would take more than the "
-            f"{self.levels[-1]} digits of working precision that there are; "
-            f"end the run at about t = {until:g} s, or ask for fewer digits"
+        return DigitsError(
+            "digits_limit",
+            f"= {digits} at t = {float(self.times[-1]):g} s would take more than the "
+            f"{self.levels[-1]} digits of working precision that there are",
+            f"end the run at about t = {until:g} s, or ask for fewer digits",
         )
 
     def plan(self, *levels: int) -> None:
@@ -206,23 +176,27 @@ class _LongRuns:
 
     def states(self, level: int, times: Array | None = None) -> Array:
         """Heads and tails of the states at the times, (n, d, 2)."""
+        import numpy as np
+
         wanted = self.times if times is None else times
         span = float(wanted[-1]) - self.t0
         work = self._work(level, span)
 
-        def on_the_way(t: float) -> None:
-            self.tell((self.done + work * (t - self.t0) / span) / self.planned)
+        def on_the_way(part: float) -> None:
+            self.tell((self.done + work * part) / self.planned)
 
-        states, outcome = _engine.long_run(
-            self.system._description(), level, self.state.tolist(), self.t0, wanted, on_the_way
-        )
-        if outcome != "reached_end":
-            raise ValueError(
-                f"digits needs angles below 2^50 = {LARGEST_ANGLE:.3g} rad all the way to "
-                f"t = {float(wanted[-1])!r} s; start from a smaller angle, or end the run before"
+        asked = Request(state=self.state, t=wanted, t0=self.t0)
+        result = _engine.long_run(asked.for_core(self.system, "taylor"), level, on_the_way)
+        if result.outcome != "reached_end":
+            raise DigitsError(
+                "not_finite",
+                f"needs angles below 2^50 = {LARGEST_ANGLE:.3g} rad all the way to "
+                f"t = {float(wanted[-1])!r} s",
+                "start from a smaller angle, or end the run before",
             )
         self.done += work
-        return states
+        d = self.state.size
+        return np.stack([result.states(d), result.tails(d)], axis=-1)
 
     def _work(self, level: int, span: float | None = None) -> float:
         """Of a run: the square of the order of the series, times that of a product."""

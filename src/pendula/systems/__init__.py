@@ -5,12 +5,19 @@ from __future__ import annotations
 from typing import Any
 
 from pendula._checks import one_of
-from pendula.systems.base import STANDARD_GRAVITY, System, check_system
+from pendula.systems.base import (
+    STANDARD_GRAVITY,
+    ClosedForm,
+    System,
+    check_system,
+    with_closed_form,
+)
 from pendula.systems.double import DoublePendulum, NormalModes
 from pendula.systems.single import LinearPendulum, SimplePendulum
 
 __all__ = [
     "STANDARD_GRAVITY",
+    "ClosedForm",
     "DoublePendulum",
     "LinearPendulum",
     "NormalModes",
@@ -18,6 +25,7 @@ __all__ = [
     "System",
     "check_system",
     "system_from",
+    "with_closed_form",
 ]
 
 

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any, ClassVar
 
 from pendula import _engine
 from pendula._checks import states_array
+from pendula._messages import ArgumentError
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -34,6 +35,11 @@ class System:
         return cls(**parameters)
 
     @property
+    def can(self) -> _engine.Capabilities:
+        """What the system can: whether it conserves energy, has a closed form, a period …."""
+        return _engine.system_entries()[self.name].can
+
+    @property
     def parameters(self) -> dict[str, float]:
         """The parameters by name, in SI units."""
         return {row.name: getattr(self, row.name) for row in self._rows()}
@@ -48,14 +54,24 @@ class System:
         """The constants that the equations of motion are written in."""
         return _engine.constants(self._description())
 
-    def rhs(self, states: ArrayLike) -> Array:
-        """Time derivatives (..., d) of states (..., d) [rad/s, rad/s²]."""
-        return _engine.rows("rhs", self._description(), self._directions(states))
+    @property
+    def energy_scale(self) -> float:
+        """An energy of the motion's size, never zero [J]."""
+        return _engine.scales(self._description())[0]
+
+    @property
+    def largest_frequency(self) -> float:
+        """Of small oscillations; of the double pendulum, hardly more than that [rad/s]."""
+        return _engine.scales(self._description())[1]
+
+    def rhs(self, states: ArrayLike, t: float = 0.0) -> Array:
+        """Time derivatives (..., d) of states (..., d) at time t [rad/s, rad/s²]."""
+        return _engine.rhs(self._description(), self._directions(states), t)
 
     def positions(self, states: ArrayLike) -> Array:
         """The bob, or the end of each rod, (..., d/2, 2) [m]: pivot at the origin, y upward."""
         given = states_array(states, self.components)
-        return _engine.rows("positions", self._description(), _engine.within_range_of_sine(given))
+        return _engine.positions(self._description(), _engine.within_range_of_sine(given))
 
     def kinetic_energy(self, states: ArrayLike) -> Array:
         """Kinetic energy (...) of states (..., d) [J]."""
@@ -79,7 +95,8 @@ class System:
 
     def _directions(self, states: ArrayLike) -> Array:
         """The states, as the sine can take them, where angles are directions and nothing more."""
-        return _engine.within_range_of_sine(states_array(states, self.components))
+        given = states_array(states, self.components)
+        return _engine.within_range_of_sine(given) if self.can.periodic else given
 
     def _rows(self) -> tuple[_engine.Parameter, ...]:
         entry = _engine.system_entries()[self.name]
@@ -88,14 +105,71 @@ class System:
     def _description(self) -> _engine.Description:
         return _engine.describe(self.name, self.form, tuple(self.parameters.values()))
 
-    def _check_constants(self) -> None:
-        """Parameters in range can still be too large or too small together."""
-        for name, value in self.constants.items():
-            if not math.isfinite(value) or (value <= 0 and name not in {"C", "E"}):
-                raise ValueError(
-                    f"the parameters {self.parameters} cannot be computed with: "
-                    f"their constant {name} is {value!r}; take values nearer to 1"
-                )
+    def _check(self) -> None:
+        """Refuse parameters out of range, or too large or too small together."""
+        fault = _engine.check_system(self._description())
+        if fault is not None:
+            row = _engine.rule_rows()[fault.rule]
+            details = {"value": fault.value, **fault.details}
+            raise ArgumentError(fault.argument, row.english, row.way_out_in_english, **details)
+
+
+class ClosedForm(System):
+    """A system whose motion `exact` has in closed form."""
+
+    largest_start: ClassVar[float]  # angle of a start [rad]
+    most_half_periods: ClassVar[float]  # that times are counted in
+
+    @property
+    def natural_frequency(self) -> float:
+        """Of small oscillations [rad/s]."""
+        raise NotImplementedError
+
+    def actions(self, states: Array) -> Array:
+        """∮ p dθ / 2π of the motions through states (..., 2), (...) [J s]."""
+        raise NotImplementedError
+
+    def check_start(self, states: Array) -> None:
+        """Refuse states (..., 2) that the closed form has no digits for.
+
+        Raises:
+            ValueError: for an angle of 2^50 rad or more (linear: 2^900), or a speed of 2^900
+                natural frequencies.
+        """
+        angles, speeds = abs(states[..., 0]), abs(states[..., 1])
+        if (angles >= self.largest_start).any():
+            raise ArgumentError(
+                "state",
+                "must have an angle below 2^{text} rad, got {value}",
+                "take whole turns off",
+                text=round(math.log2(self.largest_start)),
+                value=float(angles.max()),
+            )
+        most = _engine.LARGEST_START_SPEED * self.natural_frequency
+        if (speeds >= most).any():
+            rule = f"must have an angular velocity below {most:.3g} rad/s, got {{value}}"
+            raise ArgumentError("state", rule, value=float(speeds.max()))
+
+
+def with_closed_form(system: object) -> ClosedForm:
+    """The system, which has a closed form.
+
+    Raises:
+        ValueError: where it has none, or is no system.
+    """
+    check_system(system)
+    if not isinstance(system, ClosedForm):
+        names = " or ".join(
+            cls.__name__ for cls in System.classes.values() if issubclass(cls, ClosedForm)
+        )
+        raise ArgumentError(
+            "system",
+            "must be a {text}, got {value}: no closed form is known",
+            "use <call=solve>",
+            text=names,
+            value=system,
+        )
+    return system
 
 
 def check_system(system: object) -> None:
@@ -105,6 +179,5 @@ def check_system(system: object) -> None:
         ValueError: for anything else than a System.
     """
     if not isinstance(system, System):
-        raise ValueError(
-            f"system must be a pendulum such as SimplePendulum(length=1.0), got {system!r}"
-        )
+        rule = "must be a pendulum such as SimplePendulum(length=1.0), got {value}"
+        raise ArgumentError("system", rule, value=system)

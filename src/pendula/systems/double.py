@@ -7,7 +7,8 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from pendula import _engine
-from pendula._checks import one_of, positive_number
+from pendula._checks import number, one_of
+from pendula._messages import ArgumentError
 from pendula.systems.base import STANDARD_GRAVITY, System
 
 
@@ -40,16 +41,18 @@ class DoublePendulum(System):
         forms = tuple(each.name for each in _engine.system_entries()[self.name].forms)
         one_of("form", self.form, forms)
         if not isinstance(self.values, tuple) or len(self.values) != len(self._rows()):
-            raise ValueError(
-                f"values must hold the {len(self._rows())} parameters of {self.form}, "
-                f"got {self.values!r}; use DoublePendulum.{self.form}(...)"
+            raise ArgumentError(
+                "values",
+                f"must hold the {len(self._rows())} parameters of {self.form}, got {{value}}",
+                f"use DoublePendulum.{self.form}(...)",
+                value=self.values,
             )
         checked = tuple(
-            positive_number(row.name, value, row.unit, zero=row.zero_allowed)
+            number(row.name, value, row.unit)
             for row, value in zip(self._rows(), self.values, strict=True)
         )
         object.__setattr__(self, "values", checked)
-        self._check_constants()
+        self._check()
 
     @classmethod
     def rods(

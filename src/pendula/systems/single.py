@@ -7,8 +7,9 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, ClassVar
 
 from pendula import _engine
-from pendula._checks import finite_array, positive_number, states_array
-from pendula.systems.base import STANDARD_GRAVITY, System
+from pendula._checks import finite_array, number, states_array
+from pendula._messages import ArgumentError
+from pendula.systems.base import STANDARD_GRAVITY, ClosedForm
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -17,9 +18,8 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True)
-class _OneBob(System):
+class _OneBob(ClosedForm):
     form: ClassVar[str] = ""  # type: ignore[misc]  # the one form there is
-    largest_start: ClassVar[float]  # angle of a closed form's start [rad]
 
     length: float = 1.0
     gravity: float = STANDARD_GRAVITY
@@ -27,34 +27,14 @@ class _OneBob(System):
 
     def __post_init__(self) -> None:
         for row in self._rows():
-            value = positive_number(row.name, getattr(self, row.name), row.unit)
+            value = number(row.name, getattr(self, row.name), row.unit)
             object.__setattr__(self, row.name, value)
-        self._check_constants()
+        self._check()
 
     @property
     def natural_frequency(self) -> float:
         """ωn = √(g/L) [rad/s]."""
         return math.sqrt(self.gravity / self.length)
-
-    def check_start(self, states: Array) -> None:
-        """Refuse states (..., 2) that the closed form has no digits for.
-
-        Raises:
-            ValueError: for an angle of 2^50 rad or more (linear: 2^900), or a speed of 2^900
-                natural frequencies.
-        """
-        angles, speeds = abs(states[..., 0]), abs(states[..., 1])
-        if (angles >= self.largest_start).any():
-            raise ValueError(
-                f"state must have an angle below 2^{math.log2(self.largest_start):.0f} rad, "
-                f"got {float(angles.max())!r}; take whole turns off"
-            )
-        most = _engine.LARGEST_START_SPEED * self.natural_frequency
-        if (speeds >= most).any():
-            raise ValueError(
-                f"state must have an angular velocity below {most:.3g} rad/s, "
-                f"got {float(speeds.max())!r}"
-            )
 
 
 @dataclass(frozen=True)
@@ -72,10 +52,11 @@ class LinearPendulum(_OneBob):
 
     name: ClassVar[str] = "linear"
     largest_start: ClassVar[float] = _engine.LARGEST_START_SPEED
+    most_half_periods: ClassVar[float] = _engine.COUNTED_HALF_PERIODS
 
-    def _directions(self, states: ArrayLike) -> Array:
-        """The angles as they are: the linear model's force and energy grow with them."""
-        return states_array(states, self.components)
+    def actions(self, states: Array) -> Array:
+        """Energy over ωn: ∮ p dθ / 2π of the motions through states (..., 2), (...) [J s]."""
+        return self.energy(states) / self.natural_frequency
 
     def period(self, amplitude: ArrayLike | None = None, *, state: ArrayLike | None = None) -> Any:
         """2π/ωn [s], the same for every amplitude or state; shaped as they are."""
@@ -105,6 +86,16 @@ class SimplePendulum(_OneBob):
 
     name: ClassVar[str] = "simple"
     largest_start: ClassVar[float] = _engine.LARGEST_START_ANGLE
+    most_half_periods: ClassVar[float] = _engine.MOST_HALF_PERIODS
+
+    def actions(self, states: Array) -> Array:
+        """∮ p dθ / 2π of the motions through states (..., 2), (...) [J s]."""
+        import numpy as np
+
+        self.check_start(states)
+        rows = np.ascontiguousarray(states.reshape(-1, 2))
+        found = _engine.simple_action(self.length, self.gravity, self.mass, rows)
+        return found.reshape(states.shape[:-1])
 
     def period(self, amplitude: ArrayLike | None = None, *, state: ArrayLike | None = None) -> Any:
         """Period of the motion of that amplitude, or through that state [s].
@@ -125,7 +116,9 @@ class SimplePendulum(_OneBob):
         import numpy as np
 
         if (amplitude is None) == (state is None):
-            raise ValueError("period takes an amplitude or state=(theta0, omega0), one of the two")
+            raise ArgumentError(
+                "", "period takes an <amplitude> or <state=(theta0, omega0)>, one of the two"
+            )
         if amplitude is not None:
             states = self._releases(amplitude)
         else:
@@ -142,8 +135,10 @@ class SimplePendulum(_OneBob):
         angles = finite_array("amplitude", amplitude, "rad")
         if (np.abs(angles) > math.pi).any():
             largest = float(angles.flat[int(np.abs(angles).argmax())])
-            raise ValueError(
-                f"amplitude must lie within [-pi, pi] [rad], got {largest!r}; "
-                "for a motion over the top give state=(theta0, omega0)"
+            raise ArgumentError(
+                "amplitude",
+                "must lie within [-pi, pi] [rad], got {value}",
+                "for a motion over the top give <state=(theta0, omega0)>",
+                value=largest,
             )
         return np.stack([angles, np.zeros_like(angles)], axis=-1)

@@ -11,7 +11,8 @@ namespace pendula {
 // Each gives the first fault there is.
 std::optional<fault> check(const system_description&);
 std::optional<fault> check(const request&);
-// A request whose times are read as those of the argument `times_argument`: "t" is the standard.
+// Parts of it: whether there is such a method, which takes the system; and the options, where all the rest is sound.
+std::optional<fault> check_method(const request&);
 std::optional<fault> check_options(const request&);
 
 }  // namespace pendula

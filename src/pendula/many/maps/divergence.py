@@ -7,10 +7,10 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from pendula._checks import positive_number
+from pendula._messages import ArgumentError
 from pendula.many.chunks import Variable
 from pendula.many.maps.cells import NAMES
-from pendula.many.maps.work import Map, checked_map
-from pendula.run._arguments import checked_tolerance
+from pendula.many.maps.work import Map, checked_map, checked_tolerance
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -75,11 +75,12 @@ def divergence_map(
     where = checked_map(system, theta1, theta2, shape, t_max)
     apart = positive_number("separation", separation, "rad")
     if not SMALLEST_SEPARATION <= apart <= LARGEST_SEPARATION:
-        raise ValueError(
-            f"separation must lie between {SMALLEST_SEPARATION:g} and {LARGEST_SEPARATION:g} rad, "
-            f"got {apart!r}: nearer they are one, farther apart no neighbours"
+        rule = (
+            f"must lie between {SMALLEST_SEPARATION:g} and {LARGEST_SEPARATION:g} rad, got {{value}}: "
+            "nearer they are one, farther apart no neighbours"
         )
-    asked = DivergenceMap(*where, apart, checked_tolerance(tolerance))
+        raise ArgumentError("separation", rule, value=apart)
+    asked = DivergenceMap(*where, apart, checked_tolerance(system, where[-1], tolerance))
     how: dict[str, Any] = {"client": client, "progress": progress, "threads": threads}
     return asked.dataset(store, **how, resume=resume, overwrite=overwrite)
 

@@ -7,12 +7,13 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from pendula._checks import flag, whole_number
+from pendula._messages import ArgumentError
 from pendula._progress import part
 from pendula.many.chunks import Variable
 from pendula.many.maps.cells import NAMES
-from pendula.many.maps.work import Map, checked_map
-from pendula.run._arguments import BEST_TOLERANCE, checked_tolerance
+from pendula.many.maps.work import Map, checked_map, checked_tolerance
 from pendula.run.events import flip
+from pendula.run.options import BEST_TOLERANCE
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -85,11 +86,15 @@ def flip_map(
     """
     where = checked_map(system, theta1, theta2, shape, t_max)
     again = flag("resolve", resolve)
-    asked = FlipMap(*where, _checked_rod(which), checked_tolerance(tolerance), again)
+    within = checked_tolerance(system, where[-1], tolerance)
+    asked = FlipMap(*where, _checked_rod(which), within, again)
     if again and asked.tolerance * TIGHTER < BEST_TOLERANCE:
-        raise ValueError(
-            f"tolerance must be at least {BEST_TOLERANCE / TIGHTER:.3g} for another run with a "
-            f"thousandth of it, got {asked.tolerance!r}; take a larger one, or resolve=False"
+        raise ArgumentError(
+            "tolerance",
+            f"must be at least {BEST_TOLERANCE / TIGHTER:.3g} for another run with a thousandth "
+            "of it, got {value}",
+            "take a larger one, or <resolve=False>",
+            value=asked.tolerance,
         )
     how: dict[str, Any] = {"client": client, "progress": progress, "threads": threads}
     return asked.dataset(store, **how, resume=resume, overwrite=overwrite)
@@ -207,6 +212,5 @@ def _checked_rod(which: object) -> int | None:
     try:
         return whole_number("which", which, 2)
     except ValueError:
-        raise ValueError(
-            f"which must be rod 1 or 2, or left out for the first that flips, got {which!r}"
-        ) from None
+        rule = "must be rod 1 or 2, or left out for the first that flips, got {value}"
+        raise ArgumentError("which", rule, value=which) from None

@@ -5,13 +5,16 @@ from __future__ import annotations
 from dataclasses import dataclass, fields
 from typing import TYPE_CHECKING, Any, ClassVar
 
-from pendula._checks import positive_number
+from pendula import _engine
+from pendula._checks import number, positive_number
+from pendula._messages import ArgumentError
 from pendula._version import __version__
 from pendula.many.chunks import Variable, Work, run
 from pendula.many.maps.cells import Cells, checked_cells
 from pendula.many.tasks import Runs, Task, checked_threads, run_task
-from pendula.run._arguments import check_rounding_of_times
-from pendula.systems import DoublePendulum
+from pendula.run.options import BEST_TOLERANCE
+from pendula.run.request import Request, refuse
+from pendula.systems import System, check_system
 
 if TYPE_CHECKING:
     import numpy as np
@@ -36,7 +39,7 @@ class Map:
     kind: ClassVar[str]
     title: ClassVar[str]
 
-    system: DoublePendulum
+    system: System
     cells: Cells
     t_max: float
 
@@ -64,7 +67,8 @@ class Map:
         import numpy as np
 
         end = np.array([self.t_max])
-        task = Task(self.system.name, self.system.form, "taylor", 0.0, end, **how)
+        name, form = self.system.name, self.system.form
+        task = Task(system=name, form=form, method="taylor", t=end, **how)
         parameters = np.array([list(self.system.parameters.values())])
         return run_task(task, parameters, starts, checked_threads(threads), progress)
 
@@ -83,17 +87,33 @@ class Map:
 
 def checked_map(
     system: object, theta1: object, theta2: object, shape: object, t_max: object
-) -> tuple[DoublePendulum, Cells, float]:
+) -> tuple[System, Cells, float]:
     """The arguments that every map takes.
 
     Raises:
         ValueError: naming the argument.
     """
-    if not isinstance(system, DoublePendulum):
-        raise ValueError(
-            f"system must be a double pendulum such as DoublePendulum.rods(), got {system!r}"
-        )
+    check_system(system)
+    assert isinstance(system, System)
+    if not system.can.mapped:
+        rule = "must be a double pendulum such as DoublePendulum.rods(), got {value}"
+        raise ArgumentError("system", rule, value=system)
     cells = checked_cells(theta1, theta2, shape)
     end = positive_number("t_max", t_max, "s")
-    check_rounding_of_times(system, 0.0, end, name="t_max")
+    checked_tolerance(system, end, None)
     return system, cells, end
+
+
+def checked_tolerance(system: System, t_max: float, tolerance: object) -> float:
+    """The tolerance of a map's runs, or the best one, with which they can be made until t_max.
+
+    Raises:
+        ValueError: naming the argument.
+    """
+    import numpy as np
+
+    value = BEST_TOLERANCE if tolerance is None else number("tolerance", tolerance)
+    rest = np.zeros(len(system.components))
+    asked = Request(state=rest, t=np.array([t_max]), tolerance=value)
+    refuse(_engine.check_options(asked.for_core(system, "taylor")), t="t_max")
+    return value

@@ -6,42 +6,28 @@ from itertools import product
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
 from pendula import _engine
 from pendula._checks import LARGEST_COUNT, one_of, whole_number
 from pendula._recipe_file import RecipeFile, as_toml
 from pendula.many.sampling import LARGEST_SEED, Distribution, SameAs, Sampler
 from pendula.many.sweep.columns import Columns
 from pendula.many.sweep.recipe import SweepRecipe
-from pendula.run._arguments import (
-    check_rounding_of_times,
-    check_together,
-    checked_certify,
-    checked_method,
-    checked_tolerance,
-    step_size,
-)
+from pendula.run.options import BEST_TOLERANCE, ROWS, checked_types
+from pendula.run.request import Request, checked_name, refuse
 from pendula.systems import System, system_from
 
 if TYPE_CHECKING:
     from os import PathLike
 
-    from pendula._engine import Form, SystemEntry
+    from pendula._engine import Form, OptionRow, SystemEntry
 
 MOST_CHUNKS = 10**6
 MOST_OUTPUTS = 10**7  # states of a chunk: 320 MB for the double pendulum
 _CHUNK = 1000  # rows, if none are named
-_RUN = (
-    "method",
-    "until",
-    "every",
-    "step",
-    "tolerance",
-    "max_steps",
-    "certify",
-    "draws",
-    "seed",
-    "chunk",
-)
+_OPTIONS = ("step", "tolerance", "max_steps", "certify")  # of each run
+_RUN = ("method", "t_max", "every", *_OPTIONS, "draws", "seed", "chunk")
 
 
 def read_sweep(path: str | PathLike[str]) -> SweepRecipe:
@@ -71,7 +57,9 @@ def read_sweep(path: str | PathLike[str]) -> SweepRecipe:
     first = columns.parameters(form)
     run = _Run(file, _systems(file, entry, form, first))
     sampler = run.sampler((*first, *columns.components(entry.components)))
-    recipe = SweepRecipe(entry.name, form.name, sampler, **run.options(), chunk=run.chunk())
+    recipe = SweepRecipe(
+        system=entry.name, form=form.name, sampler=sampler, **run.options(), chunk=run.chunk()
+    )
     _check_size(file, recipe)
     return recipe
 
@@ -132,49 +120,38 @@ class _Run:
     def options(self) -> dict[str, Any]:
         """Method, times and what the method takes, checked as `solve` does."""
         file, given = self._file, self._given
-        with file.blaming("run", "method"):
-            method = checked_method(given.get("method", "taylor"), self._systems[0])
-        until, every, step = (self._time(name) for name in ("until", "every", "step"))
-        if until is None:
-            message = 'run.until is needed, the end of each run; write until = "30 s", say'
+        t_max, every = self._time("t_max"), self._time("every")
+        if t_max is None:
+            message = 'run.t_max is needed, the end of each run; write t_max = "30 s", say'
             raise file.blame("run", ("",), message)
-        if every is not None and every > until:
-            rule = f"run.every must not exceed run.until = {until:g} s"
-            raise file.blame("run", ("every", "until"), f"{rule}, got {every:g} s")
-        told = {name: given.get(name) for name in ("tolerance", "certify", "max_steps")}
-        with file.blaming("run", "tolerance" if method.adaptive is False else "step"):
-            check_together(method, None, step=step, **told, events=None)
-        if step is None and not method.adaptive:
-            rule = f"run.step is needed by the fixed-step method {method.name!r}"
-            raise file.blame("run", ("method", ""), f'{rule}; write step = "1 ms", say')
-        with file.blaming("run", "step", "method", ""):
-            size = None if method.adaptive else step_size(method.name, step, 0.0, until)
-        with file.blaming("run", "until"):
-            for system in self._systems if method.adaptive else ():
-                check_rounding_of_times(system, 0.0, until, name="run.until")
-        with file.blaming("run", "tolerance"):
-            tolerance = checked_tolerance(told["tolerance"]) if method.adaptive else None
-        return {
-            "method": method.name,
-            "until": until,
-            "every": every,
-            "step": size,
-            "tolerance": tolerance,
-            "max_steps": self._whole("max_steps", LARGEST_COUNT),
-            "certify": self._certify(),
-        }
+        if every is not None and every > t_max:
+            rule = f"run.every must not exceed run.t_max = {t_max:g} s"
+            raise file.blame("run", ("every", "t_max"), f"{rule}, got {every:g} s")
+        fields = {row.name: self._option(row) for row in ROWS.values() if row.name in _OPTIONS}
+        with file.blaming_keys("run", _RUN):
+            options = checked_types(fields, "sweep")
+            method = checked_name(given.get("method", "taylor"))
+            for system in self._systems:
+                asked = Request(
+                    state=np.zeros(len(system.components)), t=np.array([t_max]), **options
+                )
+                refuse(_engine.check(asked.for_core(system, method)), t="t_max")
+        if _engine.method_named(method).adaptive and options.get("tolerance") is None:
+            options["tolerance"] = BEST_TOLERANCE
+        return {"method": method, "t_max": t_max, "every": every, **options}
 
     def chunk(self) -> int:
         """Rows worked on together."""
         return self._whole("chunk", LARGEST_COUNT) or _CHUNK
 
-    def _certify(self) -> float | None:
-        raw = self._given.get("certify")
-        if raw is None:
-            return None
-        value = self._file.quantity("run", "certify", "rad", raw) if isinstance(raw, str) else raw
-        with self._file.blaming("run", "certify"):
-            return checked_certify(value)
+    def _option(self, row: OptionRow) -> Any:
+        """An option: a quantity in quotes where it has a unit, else a number."""
+        raw = self._given.get(row.name)
+        if row.unit == "s":
+            return self._time(row.name)
+        if isinstance(raw, str) and row.unit:
+            return self._file.quantity("run", row.name, row.unit, raw)
+        return raw
 
     def _time(self, key: str) -> float | None:
         raw = self._given.get(key)
@@ -205,7 +182,7 @@ def _check_size(file: RecipeFile, recipe: SweepRecipe) -> None:
         rule = f"run.chunk must leave at most {MOST_CHUNKS} chunks, got {rows} rows in chunks of"
         message = f"{rule} {recipe.chunk}; take more rows a chunk, or fewer draws"
         raise file.blame("run", ("chunk", "draws", ""), message)
-    times = 1.0 if recipe.every is None else recipe.until / recipe.every + 1
+    times = 1.0 if recipe.every is None else recipe.t_max / recipe.every + 1
     rows = min(recipe.chunk, recipe.sampler.count)
     if rows * times > MOST_OUTPUTS:
         rule = f"run.chunk rows must have at most {MOST_OUTPUTS} outputs together"

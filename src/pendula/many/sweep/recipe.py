@@ -9,14 +9,17 @@ import numpy as np
 
 from pendula import _engine
 from pendula.many.sampling import Sampler, sampler_from
+from pendula.many.tasks import Task
 from pendula.run._times import spaced
+from pendula.run.options import NAMES as OPTIONS
+from pendula.run.options import Options, options_from
 
 if TYPE_CHECKING:
     from pendula._types import Array
 
 
-@dataclass(frozen=True)
-class SweepRecipe:
+@dataclass(frozen=True, kw_only=True)
+class SweepRecipe(Options):
     """A checked recipe; `read_sweep` makes it from a file, `sweep_from` from `resolved`.
 
     Attributes:
@@ -25,12 +28,8 @@ class SweepRecipe:
         sampler: a column for each of the form's parameters and of the state's components, in the
             catalogue's order.
         method: name in the catalogue.
-        until: end of each run, which begins at 0 [s].
+        t_max: end of each run, which begins at 0 [s].
         every: time between outputs; None: the end alone [s].
-        step: of a fixed-step method [s].
-        tolerance: of an adaptive method; None: its best.
-        max_steps: of each run; None: no limit.
-        certify: largest error of an angle up to the time to trust a run to; None: not asked [rad].
         chunk: rows worked on and written together.
     """
 
@@ -38,12 +37,8 @@ class SweepRecipe:
     form: str
     sampler: Sampler
     method: str
-    until: float
+    t_max: float
     every: float | None
-    step: float | None
-    tolerance: float | None
-    max_steps: int | None
-    certify: float | None
     chunk: int
 
     @property
@@ -61,14 +56,15 @@ class SweepRecipe:
     def times(self) -> Array:
         """Times of the outputs, (m,) [s]."""
         if self.every is None:
-            return np.array([self.until])
-        return spaced(0.0, self.until, self.every)
+            return np.array([self.t_max])
+        return spaced(0.0, self.t_max, self.every)
 
     @property
-    def options(self) -> dict[str, Any]:
-        """What `ensemble` takes besides: step, tolerance, max_steps, certify."""
-        names = ("step", "tolerance", "max_steps", "certify")
-        return {name: getattr(self, name) for name in names}
+    def task(self) -> Task:
+        """What all rows have in common."""
+        options = {name: getattr(self, name) for name in OPTIONS}
+        name, form = self.system, self.form
+        return Task(system=name, form=form, method=self.method, t=self.times, **options)
 
     def rows(self, start: int, stop: int) -> tuple[Array, Array]:
         """Parameters (n, p) and states (n, d) of rows start to stop, in SI units."""
@@ -81,11 +77,12 @@ class SweepRecipe:
     @property
     def resolved(self) -> dict[str, Any]:
         """The recipe as data that JSON can hold, in SI units; the same for the same numbers."""
-        told = {field.name: getattr(self, field.name) for field in fields(self)}
-        return {**told, "sampler": self.sampler.description()}
+        known = {field.name: getattr(self, field.name) for field in fields(self)}
+        return {**known, "sampler": self.sampler.description(), **self.described()}
 
 
 def sweep_from(resolved: dict[str, Any]) -> SweepRecipe:
     """The recipe that `SweepRecipe.resolved` described."""
-    known = {field.name: resolved[field.name] for field in fields(SweepRecipe)}
-    return SweepRecipe(**{**known, "sampler": sampler_from(resolved["sampler"])})
+    known = {each.name: resolved[each.name] for each in fields(SweepRecipe) if each.name not in OPTIONS}
+    sampler = sampler_from(resolved["sampler"])
+    return SweepRecipe(**{**known, "sampler": sampler, **options_from(resolved)})

@@ -10,8 +10,7 @@ from pendula import _engine
 from pendula._progress import part
 from pendula._version import __version__
 from pendula.many.chunks import Axis, Variable, Work
-from pendula.many.tasks import Task, checked_threads, run_task
-from pendula.systems import LinearPendulum, System
+from pendula.many.tasks import checked_threads, run_task
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -26,7 +25,7 @@ if TYPE_CHECKING:
 
 
 ROW, TIME = "row", "t"
-ENDS = tuple(name for name in _engine.OUTCOMES if name != "interrupted")  # by number
+ENDS = _engine.OUTCOMES  # by number
 MISSING = 255  # the outcome of a row that has not been computed
 _RUNS = 0.9  # of the work; the rest are energies
 
@@ -61,9 +60,8 @@ class SweepRows:
 
         recipe = self.recipe
         parameters, starts = recipe.rows(*chunk.spans[ROW])
-        task = Task(recipe.system, recipe.form, recipe.method, 0.0, recipe.times, **recipe.options)
         how = checked_threads(threads), part(progress, 0.0, _RUNS)
-        runs = run_task(task, parameters, starts, *how)
+        runs = run_task(recipe.task, parameters, starts, *how)
         made: dict[str, NDArray[np.generic]] = {
             **dict(zip(recipe.parameters, parameters.T, strict=True)),
             **dict(zip(map(start_name, recipe.components), starts.T, strict=True)),
@@ -84,7 +82,7 @@ class SweepRows:
         import numpy as np
 
         recipe = self.recipe
-        if System.classes[recipe.system] is not LinearPendulum:  # which takes no sine
+        if _engine.system_entries()[recipe.system].can.periodic:
             states = _engine.within_range_of_sine(states)
         energies = np.empty(states.shape[:-1])
         with np.errstate(over="ignore", invalid="ignore"):  # of runs that are about to break down

@@ -1,0 +1,142 @@
+"""Messages as data: what a rule says, filled in and named by whoever shows it.
+
+A template names values in braces and arguments in angle brackets: "must not exceed the span of
+{span} s from <t0> to the end, got {value}; give <step=0.001>". Python shows `step=0.001`, the
+command `--step 0.001`; each has a `Naming`.
+"""
+
+from __future__ import annotations
+
+import re
+from typing import Any
+
+_PLACES = re.compile(r"<([\w{}]+)(?:=([^<>]*))?>|\{(\w+)\}")
+_BRACES = re.compile(r"\{(\w+)\}")
+_PLAIN = ("choices", "place", "constant", "system", "form", "other", "text")  # shown without quotes
+_JOINED = {"choices": ", ", "any_of": " or "}
+
+
+class Naming:
+    """How Python shows arguments and values."""
+
+    def argument(self, name: str) -> str:
+        """An argument, by its name."""
+        return name
+
+    def given(self, name: str, value: str) -> str:
+        """How an argument is given that value."""
+        return f"{name}={value}"
+
+    def call(self, name: str) -> str:
+        """A function of the package."""
+        return name
+
+    def value(self, name: str, value: object) -> str:
+        """A value, by its name in the template."""
+        if isinstance(value, list | tuple) and name in _JOINED:
+            return _JOINED[name].join(map(str, value))
+        if isinstance(value, float) and name not in ("value", "t0", "span"):
+            return f"{value:g}"
+        return str(value) if name in _PLAIN else repr(value)
+
+
+PYTHON = Naming()
+
+
+class Message(str):
+    """A sentence that can be made again with other names for the arguments.
+
+    Attributes:
+        argument: the one it is about; empty: none.
+        rule: the template, without the argument in front.
+        way_out: another template; empty: there is none to tell.
+        details: what the templates name.
+    """
+
+    __slots__ = ("argument", "details", "rule", "way_out")
+
+    argument: str
+    rule: str
+    way_out: str
+    details: dict[str, Any]
+
+    def __new__(cls, argument: str, rule: str, way_out: str = "", **details: Any) -> Message:
+        """The sentence in Python's words."""
+        told = super().__new__(cls, _sentence(PYTHON, argument, rule, way_out, details))
+        told.argument, told.rule, told.way_out, told.details = argument, rule, way_out, details
+        return told
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Errors cross from workers to whoever waits for them."""
+        return _message, (self.argument, self.rule, self.way_out, self.details)
+
+    def named(self, naming: Naming) -> str:
+        """The sentence in other names."""
+        return _sentence(naming, self.argument, self.rule, self.way_out, self.details)
+
+
+class ArgumentError(ValueError):
+    """A bad argument: its name, the rule it breaks, the value, and the way out.
+
+    Args:
+        argument: its name.
+        rule: a template that follows the name.
+        way_out: another, after a semicolon.
+        **details: what they name; `unit` is the argument's, shown as {in_unit}.
+    """
+
+    def __init__(self, argument: str, rule: str, way_out: str = "", **details: Any) -> None:
+        self.message = Message(argument, rule, way_out, **details)
+        super().__init__(self.message)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Errors cross from workers to whoever waits for them."""
+        return _argument_error, self.message.__reduce__()[1]
+
+    @property
+    def argument(self) -> str:
+        """Name of the argument."""
+        return self.message.argument
+
+    def of(self, argument: str) -> ArgumentError:
+        """The same fault of an argument by another name."""
+        told = self.message
+        return ArgumentError(argument, told.rule, told.way_out, **told.details)
+
+
+def _message(argument: str, rule: str, way_out: str, details: dict[str, Any]) -> Message:
+    return Message(argument, rule, way_out, **details)
+
+
+def _argument_error(
+    argument: str, rule: str, way_out: str, details: dict[str, Any]
+) -> ArgumentError:
+    return ArgumentError(argument, rule, way_out, **details)
+
+
+def _sentence(
+    naming: Naming, argument: str, rule: str, way_out: str, details: dict[str, Any]
+) -> str:
+    told = f"{naming.argument(argument)} {rule}" if argument else rule
+    return _filled(naming, f"{told}; {way_out}" if way_out else told, details)
+
+
+def _filled(naming: Naming, template: str, details: dict[str, Any]) -> str:
+    unit = details.get("unit")
+
+    def plain(text: str) -> str:
+        return _BRACES.sub(lambda match: f"{details[match[1]]}", text)
+
+    def filled(place: re.Match[str]) -> str:
+        argument, given, name = place.groups()
+        if name == "in_unit":
+            return f" [{unit}]" if unit else ""
+        if name:
+            return naming.value(name, details[name]) if name in details else place[0]
+        told = plain(argument if given is None else f"{argument}={given}")
+        if argument == "call":
+            return naming.call(told.removeprefix("call="))
+        shown, equals, value = told.partition("=")
+        return naming.given(shown, value) if equals else naming.argument(shown)
+
+    return _PLACES.sub(filled, template)

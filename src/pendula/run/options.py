@@ -1,0 +1,121 @@
+"""The options of a run, each stated once; the core's rows say units, ranges and meanings."""
+
+from __future__ import annotations
+
+import inspect
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass, fields
+from typing import TYPE_CHECKING, Any, TypedDict
+
+from pendula import _engine
+from pendula._checks import number, whole
+from pendula.run.events import Event, checked_events, described, event_from
+
+if TYPE_CHECKING:
+    from typing import TypeVar
+
+    Function = TypeVar("Function", bound=Callable[..., Any])
+
+
+class RunOptions(TypedDict, total=False):
+    """What `solve`, `ensemble` and others take besides, by name; for type checkers."""
+
+    step: float | None
+    tolerance: float | None
+    max_steps: int | None
+    certify: float | None
+    digits: int | None
+    events: Event | Iterable[Event]
+
+
+@dataclass(frozen=True, kw_only=True)
+class Options:
+    """The options of one run, or of all runs of an ensemble.
+
+    Attributes:
+        step: of a fixed-step method [s].
+        tolerance: of an adaptive method; None: its best.
+        max_steps: most steps allowed; None: no limit.
+        certify: angle by which the run may be off up to its trust horizon [rad].
+        digits: that are right at every output time.
+        events: looked for inside the steps.
+    """
+
+    step: float | None = None
+    tolerance: float | None = None
+    max_steps: int | None = None
+    certify: float | None = None
+    digits: int | None = None
+    events: tuple[Event, ...] = ()
+
+    @property
+    def options(self) -> RunOptions:
+        """These options as the arguments of `solve`."""
+        return RunOptions(**{name: getattr(self, name) for name in NAMES})  # type: ignore[typeddict-item]
+
+    def numbers(self) -> dict[str, float | int | None]:
+        """All but the events, by name."""
+        return {name: getattr(self, name) for name in NAMES if name != "events"}
+
+    def described(self) -> dict[str, Any]:
+        """The options as data that JSON can hold; `options_from` takes it back."""
+        return {**self.numbers(), "events": [described(each) for each in self.events]}
+
+
+ROWS = {row.name: row for row in _engine.option_rows()}
+BEST_TOLERANCE = ROWS["tolerance"].least
+NAMES = tuple(each.name for each in fields(Options))
+
+
+def options_from(data: Mapping[str, Any]) -> dict[str, Any]:
+    """The fields of `Options` of their description; what earlier versions left out is not set."""
+    known = {name: data.get(name) for name in NAMES}
+    return {**known, "events": tuple(map(event_from, data.get("events") or ()))}
+
+
+def checked_types(given: Mapping[str, Any], function: str) -> dict[str, Any]:
+    """The fields of `Options` from the arguments of a function, as numbers and events.
+
+    Raises:
+        TypeError: for an option that there is none of.
+        ValueError: for what is no number, no whole number, or no event.
+    """
+    for name in given:
+        if name not in NAMES:
+            raise TypeError(f"{function}() got an unexpected keyword argument {name!r}")
+    return {
+        **{
+            row.name: (whole if row.whole else number)(row.name, given[row.name], row.unit)
+            for row in ROWS.values()
+            if given.get(row.name) is not None
+        },
+        "events": checked_events(given.get("events", ())),
+    }
+
+
+def takes_options(*names: str) -> Callable[[Function], Function]:
+    """Give a function that takes **options these options in its signature and its help.
+
+    Args:
+        *names: the options that it takes; none: all.
+    """
+
+    def with_options(function: Function) -> Function:
+        taken = names or NAMES
+        signature = inspect.signature(function)
+        kept = [each for each in signature.parameters.values() if each.kind is not each.VAR_KEYWORD]
+        defaults = {each.name: each.default for each in fields(Options)}
+        options = [
+            inspect.Parameter(name, inspect.Parameter.KEYWORD_ONLY, default=defaults[name])
+            for name in taken
+        ]
+        function.__signature__ = signature.replace(parameters=[*kept, *options])  # type: ignore[attr-defined]
+        lines = "\n".join(f"        {row.sentence}" for row in ROWS.values() if row.name in taken)
+        marker = "        **options: see `RunOptions`."
+        function.__doc__ = (function.__doc__ or "").replace(marker, lines + _EVENTS * ("events" in taken))
+        return function
+
+    return with_options
+
+
+_EVENTS = "\n        events: what to look for inside the steps of an adaptive method: `pendula.events`."

@@ -1,0 +1,144 @@
+"""What was asked for: enough to run it, and to run it again."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, Any
+
+from pendula import _engine
+from pendula._checks import finite_array, finite_number, states_array
+from pendula._messages import ArgumentError
+from pendula.run.options import BEST_TOLERANCE, Options, checked_types
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
+    from pendula._types import Array
+    from pendula.systems import System
+
+
+@dataclass(frozen=True, kw_only=True)
+class Request(Options):
+    """What was asked for, with the options of the run.
+
+    Attributes:
+        state: at time t0, (d,), or (..., d) for several exact solutions.
+        t: the one end time, where the output is the method's own steps, or output times, (n,) [s].
+        t0: time of the state [s].
+    """
+
+    state: Array
+    t: float | Array
+    t0: float = 0.0
+
+    @property
+    def end(self) -> float:
+        """The time up to which the run was to be made [s]."""
+        return self.t if isinstance(self.t, float) else float(self.t[-1])
+
+    def for_core(self, system: System, method: str) -> _engine.Request:
+        """The request as the core takes it."""
+        import numpy as np
+
+        return core_request(
+            system._description(),
+            method,
+            self.state,
+            self.t0,
+            np.atleast_1d(np.asarray(self.t)),
+            self,
+            own_steps=isinstance(self.t, float),
+        )
+
+
+def core_request(
+    description: _engine.Description,
+    method: str,
+    state: Array,
+    t0: float,
+    times: Array,
+    options: Options,
+    *,
+    own_steps: bool = False,
+) -> _engine.Request:
+    """A request of the core."""
+    return _engine.Request(
+        description,
+        method,
+        state,
+        t0,
+        times,
+        own_steps,
+        [each.for_core() for each in options.events],
+        **options.numbers(),
+    )
+
+
+def request_of(
+    system: System, state: ArrayLike, t: ArrayLike, method: object, t0: float, **given: Any
+) -> Request:
+    """The checked request that the arguments of `solve` make.
+
+    Raises:
+        TypeError: for an option that there is none of.
+        ValueError: for an argument out of range, or two that exclude one another.
+    """
+    start = checked_state(state, system)
+    origin = finite_number("t0", t0, "s")
+    times = times_array(t)
+    wanted = float(times) if times.ndim == 0 else times
+    asked = Request(state=start, t=wanted, t0=origin, **checked_types(given, "solve"))
+    name = checked_name(method)
+    refuse(_engine.check(asked.for_core(system, name)))
+    chooses = _engine.method_named(name).adaptive and asked.digits is None
+    return replace(asked, tolerance=asked.tolerance or BEST_TOLERANCE) if chooses else asked
+
+
+def checked_name(method: object) -> str:
+    """The name of a method, if it is a name at all; the core knows which there are."""
+    if not isinstance(method, str):
+        names = [each.name for each in _engine.methods()]
+        raise ArgumentError(
+            "method", "must be one of {choices}; got {value}", choices=names, value=method
+        )
+    return method
+
+
+def checked_state(state: ArrayLike, system: System) -> Array:
+    """One state of the system, (d,)."""
+    start = states_array(state, system.components)
+    if start.ndim != 1:
+        raise ArgumentError(
+            "state",
+            "must be one state of shape {wanted}, got {value}",
+            wanted=(start.shape[-1],),
+            value=start.shape,
+        )
+    return start
+
+
+def times_array(t: ArrayLike) -> Array:
+    """An end time, (), or output times, (n,), finite."""
+    times = finite_array("t", t, "s")
+    if times.ndim > 1 or times.size == 0:
+        raise ArgumentError(
+            "t",
+            "must be one end time or output times of shape (n,), got shape {value}",
+            value=times.shape,
+        )
+    return times
+
+
+def refuse(fault: _engine.Fault | None, **names: str) -> None:
+    """Raise what the core found wrong; `names` are other names of arguments here.
+
+    Raises:
+        ArgumentError: where it found anything.
+    """
+    if fault is None:
+        return
+    row = _engine.rule_rows()[fault.rule]
+    details = {"value": fault.value, **fault.details}
+    argument = names.get(fault.argument, fault.argument)
+    raise ArgumentError(argument, row.english, row.way_out_in_english, **details)
+
