@@ -58,8 +58,8 @@ _PAGE: dict[Language, _Words] = {
         title="Errata of the paper",
         intro=(
             f"The paper is {PAPER}.\n\n"
-            "Its equations were derived again, which brought these misprints to light. For each row\n"
-            "a test shows that the printed form is wrong and that the correct form holds.\n"
+            "Its equations were derived again, which brought these misprints to light. For each\n"
+            "row a test shows that the printed form is wrong and that the correct form holds.\n"
             "Notation: τ = 2π, ωₙ = √(g/L), k = sin(θ₀/2); a dot is a time derivative."
         ),
         columns=("Equation", "As printed", "Correct", "Reason"),
