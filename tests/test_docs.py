@@ -248,7 +248,7 @@ def test_the_paper_is_cited(file: str) -> None:
 
 
 def test_the_readme_counts_the_errata() -> None:
-    assert f"{len(errata())} rows of" in text_of(ROOT / "README.md")
+    assert f"{len(errata())} corrected misprints" in text_of(ROOT / "README.md")
 
 
 def test_the_method_that_contributing_adds_can_be_added(tmp_path: Path) -> None:
@@ -271,7 +271,7 @@ def test_the_method_that_contributing_adds_can_be_added(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("page", PAGES, ids=lambda page: str(page.relative_to(ROOT)))
 def test_pages_are_short(page: Path) -> None:
-    assert page.name == "errata.md" or len(text_of(page).splitlines()) <= 130
+    assert page.name == "errata.md" or len(text_of(page).splitlines()) <= 140
 
 
 def test_pictures_are_light() -> None:
