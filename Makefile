@@ -1,10 +1,11 @@
 # make study   set everything up and write the study, in English and Spanish, into study/en and study/es
 # make test    set everything up and run every test
 # make lint    formatters, linters, types, imports
+# make docs-facts  the generated parts of the documentation
 # make bench   the benchmarks, beside their peers
 # make lock    renew the locks from pyproject.toml
 .DEFAULT_GOAL := help
-.PHONY: FORCE help study test test-python test-core lint format bench stubs lock clean
+.PHONY: FORCE help study test test-python test-core lint format docs-facts bench stubs lock clean
 .DELETE_ON_ERROR:
 SHELL := /bin/sh
 PYTHON ?= python3
@@ -69,6 +70,9 @@ format: .venv/installed
 	$(BIN)/ruff format .
 	$(BIN)/ruff check --fix-only .
 	$(BIN)/clang-format -i $(SOURCES)
+
+docs-facts: .venv/installed
+	$(BIN)/python scripts/docs_facts.py
 
 stubs: .venv/installed
 	$(BIN)/python -m nanobind.stubgen -q -m pendula._core -o src/pendula/_core.pyi

@@ -59,7 +59,7 @@ def test_the_catalogue_gives_the_options(entry: _engine.SystemEntry) -> None:
         assert isinstance(option, click.Option)
         help = option.help or ""
         assert row.meaning in help
-        assert row.standard is None or f"[{row.standard:g} {row.unit}]" in help
+        assert row.standard is None or f"[default: {row.standard:g} {row.unit}]" in help
 
 
 def test_the_table_of_methods_is_the_catalogue(call: Call) -> None:

@@ -28,7 +28,7 @@ def test_a_row_for_each_method_that_takes_the_system(call: Call) -> None:
     names = [each.name for each in methods() if "simple" in each.systems]
     assert re.split(" {2,}", lines[0])[::5] == ["method", "to 1e-12 rad"]
     assert [line.split()[0] for line in lines[1 : len(names) + 1]] == names
-    assert lines[len(names) + 1].startswith("Largest error of any angle at 12 times, judged ")
+    assert lines[len(names) + 1].startswith("Largest error of any angle at 12 times, compared ")
     assert "the exact solution" in lines[len(names) + 1]
     assert [line.split()[1] for line in told.splitlines()] == ["reference", *names, "done"]
     assert max(map(len, lines[: len(names) + 1])) <= 100
@@ -50,8 +50,8 @@ def test_the_methods_are_those_named(call: Call) -> None:
     code, printed, told = call(f"{DOUBLE} --methods taylor,rk4,taylor")
     assert code == 0
     assert [line.split()[0] for line in printed.splitlines()[1:3]] == ["taylor", "rk4"]
-    assert "a run right to 15 digits, computed with " in printed
-    assert "coefficients" in printed
+    assert "a run correct to 15 digits, computed with " in printed
+    assert "coefficient" in printed
     assert len(told.splitlines()) == 4
 
 
@@ -126,7 +126,7 @@ def test_methods_that_all_break_down_are_told(call: Call, monkeypatch: pytest.Mo
     monkeypatch.setattr("pendula.analysis.method_work.MethodWork.best", math.inf)
     code, printed, error = call(f"{QUICK} --methods rk4 -o x.csv")
     assert (code, printed) == (1, "")
-    assert error.splitlines()[-1].startswith("pendula: no method reached the end with any step")
+    assert error.splitlines()[-1].startswith("pendula: no method reached the end time with any")
 
 
 def test_a_disk_that_is_full_leaves_nothing(call: Call, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -75,7 +75,7 @@ def test_the_summary_counts_the_cells(call: Call) -> None:
         f"{float((data.flipped_rod > 0).mean()):.1%} flipped",
         f"{float(data.forbidden.mean()):.1%} forbidden",
         f"{float((data.flip_time.isnull() & ~data.forbidden).mean()):.1%} neither until 5 s",
-        f"{float((~data.resolved).mean()):.1%} not resolved",
+        f"{float((~data.resolved).mean()):.1%} not verified",
     ]
     first = float(data.flip_time.min())
     assert printed == f"10 x 12 cells; {', '.join(shares)}; earliest flip after {first:.6g} s\n"
@@ -230,13 +230,13 @@ def test_ctrl_c_tells_how_to_go_on(output: str, tmp_path: Path) -> None:
     assert (code, printed) == (130, "")
     last = told.splitlines()[-1]
     if output != "-o flips.zarr":
-        words = "nothing is written; a .zarr store could be gone on with"
+        words = "nothing is written; a .zarr store would be resumable"
         assert last == f"pendula: interrupted; {words}"
         assert list(tmp_path.iterdir()) == []
         return
     found = re.fullmatch(
         r"pendula: interrupted; (\d+) of 6400 chunks are in flips.zarr; "
-        r"go on with the same command and --resume",
+        r"resume with the same command and --resume",
         last,
     )
     assert found is not None, last

@@ -122,7 +122,7 @@ def test_an_event_is_read_and_told_in_words(words: str, event: Any) -> None:
 def test_certify_says_until_when(given: str, call: Call) -> None:
     lines = call(f"solve double --until 60s --every 20s --certify {given} -o run.csv")
     assert lines[0].startswith("run.csv: 4 times; taylor")
-    until = re.fullmatch(r"right to 1e-09 rad until ([\d.]+) s", lines[1])
+    until = re.fullmatch(r"accurate to 1e-09 rad until ([\d.]+) s", lines[1])
     assert until is not None
     read = pendula.load("run.csv")
     assert float(until[1]) == pytest.approx(read.trust_horizon, rel=1e-5)
@@ -131,7 +131,7 @@ def test_certify_says_until_when(given: str, call: Call) -> None:
 
 def test_certify_says_throughout(call: Call) -> None:
     lines = call("solve simple --until 5s --method rk4 --step 1ms --certify 1urad -o run.csv")
-    assert lines[1] == "right to 1e-06 rad throughout"
+    assert lines[1] == "accurate to 1e-06 rad throughout"
     assert pendula.load("run.csv").trust_horizon == math.inf
     recipe = Path("run.csv").read_text().splitlines()[0].partition(": ")[2]
     assert json.loads(recipe, parse_constant=pytest.fail)["trust_horizon"] == "inf"
@@ -142,7 +142,7 @@ def test_digits_say_what_they_took(call: Call) -> None:
     read = pendula.load("run.csv")
     assert read.precision is not None
     assert lines[0].startswith(
-        "run.csv: 3 times; taylor, right to 12 digits: "
+        "run.csv: 3 times; taylor, 12 guaranteed digits: "
         f"computed with {read.precision} digits, reached_end, "
     )
     again = pendula.rerun("run.csv")
@@ -210,7 +210,7 @@ def test_own_steps_that_are_too_many_are_told_with_the_way_out(
     assert main(["solve", "double", "--until", "1e12s"]) == 1
     printed = told(capsys)
     assert "taylor stopped after t = " in printed
-    assert "name the time between outputs with --every" in printed
+    assert "set the time between outputs with --every" in printed
 
 
 # ---- a bar ----

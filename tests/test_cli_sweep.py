@@ -245,7 +245,7 @@ def test_ctrl_c_tells_how_to_go_on_and_it_ends_in_the_same_bytes(
     assert (code, printed) == (130, "")
     assert told.splitlines()[-1] == (
         f"pendula: interrupted; {done} of 40 chunks are in rods.zarr; "
-        "go on with the same command and --resume"
+        "resume with the same command and --resume"
     )
     left = set(files(tmp_path / "rods.zarr"))
     code, printed, _ = call("sweep rods.toml -o rods.zarr --resume")

@@ -36,9 +36,9 @@ def test_every_equation_called_right_has_one_test() -> None:
 def test_every_row_is_complete_in_both_languages() -> None:
     for row in errata():
         assert row.printed.en != row.correct.en, row.id
-        # Only formulas: a word would have to be translated.
-        assert row.printed.en == row.printed.es, row.id
-        assert row.correct.en == row.correct.es, row.id
+        # Only formulas: of their words the sine alone has a name of its own in Spanish.
+        assert row.printed.en.replace("sin", "sen") == row.printed.es, row.id
+        assert row.correct.en.replace("sin", "sen") == row.correct.es, row.id
         assert row.why.en != row.why.es, row.id
         assert row.why.en[-1] == row.why.es[-1] == ".", row.id
         for text in (row.equation, row.printed, row.correct, row.why):

@@ -107,15 +107,15 @@ def test_cells_that_are_not_certain_are_paler() -> None:
     unclear = ~certain
     assert unclear.any()
     np.testing.assert_allclose(pale[unclear], plain[unclear] * 0.45 + 0.55, atol=4e-3)
-    assert "pale: time not certain" in texts(plot.flip_map(data))
-    assert "pale: time not certain" not in texts(plot.flip_map(data, unresolved="shown"))
+    assert "pale: time not verified" in texts(plot.flip_map(data))
+    assert "pale: time not verified" not in texts(plot.flip_map(data, unresolved="shown"))
 
 
 def test_a_map_that_does_not_tell_what_is_certain_has_no_paler_cells() -> None:
     data = flips().drop_vars("resolved")
     shown = plot.flip_map(flips(), unresolved="shown")
     np.testing.assert_array_equal(pixels(plot.flip_map(data)), pixels(shown))
-    assert "pale: time not certain" not in texts(plot.flip_map(data))
+    assert "pale: time not verified" not in texts(plot.flip_map(data))
 
 
 def test_the_forbidden_region_is_hatched_up_to_the_edges() -> None:

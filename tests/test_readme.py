@@ -21,7 +21,7 @@ from typing import Any
 import pytest
 
 ROOT = Path(__file__).resolve().parent.parent
-# The Spanish pages have the same code, as test_docs says.
+# The Spanish pages have the same code, from docs/code.
 PAGES = [
     ROOT / "README.md",
     ROOT / "CONTRIBUTING.md",

@@ -33,7 +33,7 @@ BAD_PATH = (
 @click.group(
     cls=ChoiceGroup,
     kind="command",
-    epilog="Quantities take units: 50cm, 30deg, 9.81m/s^2; a bare number is in SI units.",
+    epilog="Quantities take units: 50cm, 30deg, 9.81m/s^2; plain numbers are in SI units.",
 )
 @click.version_option(__version__, message="pendula %(version)s")
 def _pendula() -> None:

@@ -31,11 +31,11 @@ def _options(entry: SystemEntry) -> list[click.Parameter]:
         *system_options(entry),
         *start_options(entry),
         start_time(),
-        value("until", "time of the end", required=True),
+        value("until", "end time", required=True),
         click.Option(
             ["--methods"],
             metavar="NAMES",
-            help=f"such as rk4,taylor, of {', '.join(names)} [all of them]",
+            help=f"e.g. rk4,taylor; of {', '.join(names)} [default: all]",
         ),
         click.Option(
             ["--points"],
@@ -66,7 +66,9 @@ def _compare(entry: SystemEntry, **given: Any) -> None:
             system, start, until, chosen, t0=t0, points=given["points"], progress=progress
         )
     if not any(math.isfinite(each.best) for each in found.methods):
-        raise click.ClickException("no method reached the end with any step; take an earlier one")
+        raise click.ClickException(
+            "no method reached the end time with any step; take an earlier --until"
+        )
     _write(found, out, picture, given)
     click.echo(_table(found))
     click.echo(_summary(found))
@@ -115,7 +117,7 @@ def _table(found: WorkPrecision) -> str:
 
 
 def _error(error: float) -> str:
-    return "-" if math.isnan(error) else "broke down" if math.isinf(error) else f"{error:.1e}"
+    return "-" if math.isnan(error) else "diverged" if math.isinf(error) else f"{error:.1e}"
 
 
 def _cost(work: MethodWork, target: float) -> str:
@@ -131,17 +133,17 @@ def _duration(taken: float) -> str:
 def _summary(found: WorkPrecision) -> str:
     judge = "the exact solution"
     if found.digits is not None:
-        judge = f"a run right to {found.digits} digits, computed with {found.precision} of them"
+        judge = f"a run correct to {found.digits} digits, computed with {found.precision}"
     return (
-        f"Largest error of any angle at {len(found.t)} times, judged against {judge} (its own "
-        f"error: {found.reference_error:.1e} rad).\nCosts in evaluations and processor time; of "
-        "the Taylor method the coefficients of its series are counted."
+        f"Largest error of any angle at {len(found.t)} times, compared with {judge} (its own "
+        f"error: {found.reference_error:.1e} rad).\nCost in evaluations and processor time; for "
+        "the Taylor method each coefficient of its series is one evaluation."
     )
 
 
 command = one_each(
     "compare",
-    "Compare what the errors of methods cost, judged against the exact or a certified solution.",
+    "Compare methods: error against cost, relative to the exact or a certified solution.",
     all_systems(),
     _options,
     _compare,

@@ -31,9 +31,9 @@ def _options(entry: SystemEntry) -> list[click.Parameter]:
         *system_options(entry),
         *start_options(entry),
         start_time(),
-        value("at", "times, such as 1s,2s, in any order"),
-        value("until", "instead: time of the end"),
-        value("every", f"with --until: time between outputs [a {_INTERVALS}th of the span]"),
+        value("at", "output times, e.g. 1s,2s, in any order"),
+        value("until", "end time (instead of --at)"),
+        value("every", f"with --until: time between outputs [default: 1/{_INTERVALS} of the span]"),
         *file_options(),
     ]
 
@@ -64,4 +64,4 @@ def _times(t0: float, given: dict[str, Any]) -> list[float] | Array:
     return spaced(t0, end, apart)
 
 
-command = one_each("exact", "Solve a motion in closed form.", one_angle(), _options, _exact)
+command = one_each("exact", "Evaluate a motion in closed form.", one_angle(), _options, _exact)

@@ -37,7 +37,7 @@ def _options(entry: SystemEntry) -> list[click.Parameter]:
             metavar="LO:HI",
             default=_TURN,
             show_default=True,
-            help=f"range of the angle of rod {i} at the start",
+            help=f"range of the initial angle of rod {i}",
         )
         for i, name in enumerate(_ANGLES, 1)
     ]
@@ -49,7 +49,7 @@ def _options(entry: SystemEntry) -> list[click.Parameter]:
             metavar="N1xN2",
             default=_SIZE,
             show_default=True,
-            help="cells along each angle; one number: a square",
+            help="cells along each angle; one number for a square grid",
         ),
     ]
 
@@ -57,13 +57,15 @@ def _options(entry: SystemEntry) -> list[click.Parameter]:
 def _flip_options(entry: SystemEntry) -> list[click.Parameter]:
     return [
         *_options(entry),
-        value("until", "how long to wait for a flip, such as 30s", required=True),
-        click.Option(["--which"], type=int, metavar="ROD", help="1 or 2 [the one that is first]"),
-        value("tolerance", "of the Taylor method [1e-8]"),
+        value("until", "time limit for a flip, e.g. 30s", required=True),
+        click.Option(
+            ["--which"], type=int, metavar="ROD", help="rod 1 or 2 [default: whichever flips first]"
+        ),
+        value("tolerance", "of the Taylor method [default: 1e-8]"),
         click.Option(
             ["--no-resolve"],
             is_flag=True,
-            help="do not run each cell again to tell whether its time is certain: half the work",
+            help="skip the second run that verifies the time of each cell: half the work",
         ),
         *_output_options(),
     ]
@@ -72,15 +74,15 @@ def _flip_options(entry: SystemEntry) -> list[click.Parameter]:
 def _divergence_options(entry: SystemEntry) -> list[click.Parameter]:
     return [
         *_options(entry),
-        value("until", "the time after which neighbours are compared", required=True),
-        value("separation", "of the neighbours at the start [1e-8 rad]"),
-        value("tolerance", "of the Taylor method [its best]"),
+        value("until", "time at which neighbours are compared", required=True),
+        value("separation", "initial separation of the neighbours [default: 1e-8 rad]"),
+        value("tolerance", "of the Taylor method [default: machine precision]"),
         *_output_options(),
     ]
 
 
 def _output_options() -> list[click.Parameter]:
-    file = "a .zarr store, which can be gone on with, or a .nc file"
+    file = "a resumable .zarr store or a .nc file"
     return [*file_and_picture(file, "the map"), *store_options()]
 
 
@@ -194,10 +196,12 @@ def _enough_memory() -> Iterator[None]:
 
 def _command() -> ChoiceGroup:
     """A group with a subcommand for each kind of map, and in it one for the double pendulum."""
-    group = ChoiceGroup("map", kind="map", help="Map starts from rest over the two angles.")
+    group = ChoiceGroup(
+        "map", kind="map", help="Map releases from rest over the two initial angles."
+    )
     helps = {
-        "flip": "Map how long it takes until a rod first flips.",
-        "divergence": "Map how far neighbours have moved apart after a time.",
+        "flip": "Map the time until a rod first flips.",
+        "divergence": "Map how far neighbouring motions have separated after a given time.",
     }
     options = {"flip": _flip_options, "divergence": _divergence_options}
     for kind, help in helps.items():

@@ -83,7 +83,7 @@ def _of_flips(found: xr.Dataset) -> str:
     told = {"flipped": flipped, "forbidden": forbidden}
     told[f"neither until {found.attrs['t_max']:g} s"] = cells - flipped - forbidden
     if "resolved" in found:
-        told["not resolved"] = unresolved
+        told["not verified"] = unresolved
     shares = ", ".join(f"{count / cells:.1%} {name}" for name, count in told.items())
     return shares + (f"; earliest flip after {earliest:.6g} s" if flipped else "")
 
@@ -100,7 +100,7 @@ def _of_divergence(found: xr.Dataset) -> str:
             low, high = min(low, float(known.min())), max(high, float(known.max()))
             total, count = total + float(known.sum()), count + known.size
     if count == 0:
-        return "no rate of divergence is known"
+        return "the rate of divergence is unknown in every cell"
     unknown = found["growth"].size - count
     told = f"mean rate of divergence {low:.3g} to {high:.3g} 1/s, {total / count:.3g} on average"
-    return told + (f"; {unknown} not known" if unknown else "")
+    return told + (f"; {unknown} unknown" if unknown else "")

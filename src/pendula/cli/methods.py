@@ -10,7 +10,7 @@ from pendula.cli.tables import table
 
 @click.command("methods")
 def command() -> None:
-    """List the methods that `solve` takes."""
+    """List the integration methods of `solve`."""
     header = (
         "name",
         "order",

@@ -27,7 +27,7 @@ def system_options(entry: SystemEntry) -> list[click.Parameter]:
         click.Option(
             [_flag(form), f"--{form.name}"],
             is_flag=True,
-            help=form.meaning + (" (taken if no other is named)" if form is entry.forms[0] else ""),
+            help=form.meaning + (" (default)" if form is entry.forms[0] else ""),
         )
         for form in entry.forms
         if len(entry.forms) > 1
@@ -114,11 +114,11 @@ def _explained(entry: SystemEntry, name: str) -> str:
 
 def _default(row: Parameter) -> str:
     if row.standard is None:
-        return f"[that of {row.same_as}]" if row.same_as else "[needed]"
+        return f"[default: {row.same_as}]" if row.same_as else "[required]"
     return _standard(row.standard, row.unit)
 
 
 def _standard(standard: float, unit: str) -> str:
     if unit == "rad":
-        return f"[{math.degrees(standard):g} deg]"
-    return f"[{standard:g} {unit}]"
+        return f"[default: {math.degrees(standard):g} deg]"
+    return f"[default: {standard:g} {unit}]"

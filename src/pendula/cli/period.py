@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 def _options(entry: SystemEntry) -> list[click.Parameter]:
     return [
         *system_options(entry),
-        value("amplitude", "of swings: one or a list, such as 30deg,60deg"),
+        value("amplitude", "amplitude(s), e.g. 30deg,60deg"),
         *start_options(entry),
     ]
 
@@ -29,7 +29,7 @@ def _period(entry: SystemEntry, **given: Any) -> None:
     small = 2.0 * math.pi / system.natural_frequency
     if (given["amplitude"] is None) == all(given[name] is None for name in names):
         raise ValueError(
-            "name swings with --amplitude 30deg,60deg, or a state with --theta and --omega"
+            "give amplitudes with --amplitude 30deg,60deg, or a state with --theta and --omega"
         )
     if given["amplitude"] is None:
         state = start_of(entry, given)
@@ -58,7 +58,7 @@ def _of_swings(system: Any, texts: str, small: float) -> list[tuple[str, ...]]:
 
 command = one_each(
     "period",
-    "Period of swings or through a state, and its ratio to the small-angle period T0.",
+    "Period for an amplitude or a state, and its ratio to the small-angle period T0.",
     one_angle(),
     _options,
     _period,

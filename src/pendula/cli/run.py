@@ -16,14 +16,14 @@ if TYPE_CHECKING:
 
 _BEYOND = "the numbers grew beyond all bounds"
 _GREW = f"{_BEYOND}; take a smaller --step or a higher order"
-_DID_NOT_SETTLE = "its equations did not settle on a step; take a smaller --step"
-_TOO_MANY = "its own steps are too many to put out; name the time between outputs with --every"
+_DID_NOT_SETTLE = "the iteration of a step did not converge; take a smaller --step"
+_TOO_MANY = "too many steps to output them all; set the time between outputs with --every"
 _OUT_OF_RANGE = "an angle left the range of the sine (2^26 rad)"
 
 
 def start_time() -> click.Option:
     """The option --t0."""
-    return value("t0", "time of the start [0 s]")
+    return value("t0", "start time [default: 0 s]")
 
 
 def file_options() -> list[click.Parameter]:
@@ -76,7 +76,7 @@ def check_count(span: float, every: float, name: str) -> None:
     if span / every > MOST_OUTPUTS:
         raise ValueError(
             f"{name} must give at most {MOST_OUTPUTS} outputs, got {every!r} s for "
-            f"{span / every:.3g}; name more time between them with --every"
+            f"{span / every:.3g}; set a larger time between outputs with --every"
         )
 
 
@@ -141,14 +141,14 @@ def deliver(run: Trajectory, out: Path | None, *, force: bool, every_row: bool =
     import numpy as np
 
     from pendula.cli.events import found
-    from pendula.cli.tables import show, summary
+    from pendula.cli.tables import show, summary, times_of
 
     with np.errstate(over="ignore", invalid="ignore"):  # of energies: the numbers tell it better
         if out is None:
             show(run, every_row=every_row)
         else:
             run.save(out, overwrite=force)
-        written = "" if out is None else f"{out}: {len(run.t)} times; "
+        written = "" if out is None else f"{out}: {times_of(run)}; "
         click.echo(f"{written}{summary(run)}")
         if run.request.events:
             click.echo(f"\n{found(run, every_row=every_row)}")

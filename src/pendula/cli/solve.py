@@ -38,7 +38,7 @@ def _options(entry: SystemEntry) -> list[click.Parameter]:
         *system_options(entry),
         *start_options(entry),
         start_time(),
-        value("until", "time of the end", required=True),
+        value("until", "end time", required=True),
         click.Option(
             ["--method"],
             type=click.Choice(names),
@@ -46,15 +46,15 @@ def _options(entry: SystemEntry) -> list[click.Parameter]:
             show_default=True,
             help="see `pendula methods`",
         ),
-        value("step", "of a method with a fixed step, such as 1ms [needed by it]"),
-        value("tolerance", "of an adaptive method, 1e-3 or less [its best]"),
-        value("every", "time between outputs [each step]"),
+        value("step", "step size, e.g. 1ms (required by fixed-step methods)"),
+        value("tolerance", "of adaptive methods, 1e-3 or less [default: machine precision]"),
+        value("every", "time between outputs [default: every step]"),
         *_trust_options(),
         click.Option(
             ["events", "--event"],
             multiple=True,
             metavar="WORDS",
-            help=f"look for {EXAMPLES}; may be given several times",
+            help=f"event to find: {EXAMPLES}; may be repeated",
         ),
         *file_options(),
     ]
@@ -62,12 +62,12 @@ def _options(entry: SystemEntry) -> list[click.Parameter]:
 
 def _trust_options() -> list[click.Parameter]:
     return [
-        value("certify", "also find until when the angles are right to this, such as 1e-9"),
+        value("certify", "also find until when every angle is accurate to this value, e.g. 1e-9"),
         click.Option(
             ["--digits"],
             type=int,
             metavar="N",
-            help="right digits of every output, 1 to 15, however chaotic the motion",
+            help="guaranteed digits of every output, 1 to 15, however chaotic the motion",
         ),
     ]
 
@@ -123,4 +123,4 @@ def _times(
     return until
 
 
-command = one_each("solve", "Solve a motion step by step.", all_systems(), _options, _solve)
+command = one_each("solve", "Integrate a motion step by step.", all_systems(), _options, _solve)

@@ -18,16 +18,16 @@ def store_options() -> list[click.Option]:
         click.Option(
             ["--scheduler"],
             metavar="ADDRESS",
-            help="compute on a Dask cluster, such as tcp://host:8786",
+            help="compute on a Dask cluster, e.g. tcp://host:8786",
         ),
         click.Option(
             ["--threads"],
             type=int,
             metavar="N",
-            help="threads of a chunk [one for each processor; 1 on a cluster]",
+            help="threads per chunk [default: one per processor; 1 on a cluster]",
         ),
-        click.Option(["--resume"], is_flag=True, help="go on with the store if it exists"),
-        click.Option(["--force"], is_flag=True, help="begin anew if it exists"),
+        click.Option(["--resume"], is_flag=True, help="resume the store if it exists"),
+        click.Option(["--force"], is_flag=True, help="overwrite existing files"),
     ]
 
 
@@ -69,9 +69,9 @@ def telling_how_to_resume(given: dict[str, Any]) -> Iterator[None]:
         yield
     except KeyboardInterrupt as stopped:
         if out is None or Path(out).suffix != ".zarr":
-            told = "nothing is written; a .zarr store could be gone on with"
+            told = "nothing is written; a .zarr store would be resumable"
         elif str(stopped):  # how much is in the store
-            told = f"{stopped}; go on with {way}"
+            told = f"{stopped}; resume with {way}"
         else:
-            told = f"{way} goes on with {out}"
+            told = f"{way} resumes {out}"
         raise KeyboardInterrupt(told) from None

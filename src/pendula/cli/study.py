@@ -9,7 +9,7 @@ from pendula.cli.progress import progress_bar
 
 @click.command("study")
 @click.argument("recipe", required=False, type=click.Path(exists=True, dir_okay=False))
-@click.option("--out", required=True, type=click.Path(), metavar="DIR", help="folder to make")
+@click.option("--out", required=True, type=click.Path(), metavar="DIR", help="folder to create")
 @click.option(
     "--lang",
     type=click.Choice(["en", "es"]),
@@ -17,9 +17,9 @@ from pendula.cli.progress import progress_bar
     show_default=True,
     help="language of the report",
 )
-@click.option("--force", is_flag=True, help="replace the folder if it exists")
+@click.option("--force", is_flag=True, help="overwrite the folder if it holds a study")
 def command(recipe: str | None, out: str, lang: str, force: bool) -> None:
-    """Compute the paper's study, or that of a RECIPE.toml, and write its report."""
+    """Run the paper's study, or that of a RECIPE.toml, and write its report."""
     from pathlib import Path
 
     from pendula.study import run_study

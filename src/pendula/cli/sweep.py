@@ -71,10 +71,10 @@ command = click.Command(
             type=click.Path(),
             metavar="FILE",
             required=True,
-            help="write a .zarr store, which can be gone on with, or a .parquet file",
+            help="write a resumable .zarr store or a .parquet file",
         ),
         *store_options(),
     ],
     callback=_sweep,
-    help="Run many pendulums from many starts, as a RECIPE.toml says, and write all of it.",
+    help="Run the systems and initial states of a RECIPE.toml and write every trajectory.",
 )

@@ -43,16 +43,16 @@ def show(run: Trajectory, *, every_row: bool = False) -> None:
 
 
 def summary(run: Trajectory) -> str:
-    """How a run was made, how it ended, and until when it is right."""
+    """How a run was made, how it ended, and until when it is accurate."""
     asked, error = run.request, "no outputs"
     if run.t.size:
-        error = f"largest relative energy error at these times {largest_energy_error(run):.2g}"
+        error = f"largest relative energy error {largest_energy_error(run):.2g}"
     if run.method == "exact":
-        return f"exact: {len(run.t)} times, {error}"
+        return f"exact: {times_of(run)}; {error}"
     if asked.digits is not None:
         return (
-            f"{run.method}, right to {asked.digits} digits: computed with {run.precision} digits, "
-            f"{run.outcome}, {error}"
+            f"{run.method}, {asked.digits} guaranteed digits: "
+            f"computed with {run.precision} digits, {run.outcome}, {error}"
         )
     chosen = f"step {asked.step:g} s" if asked.step else f"tolerance {asked.tolerance:.3g}"
     lines = [
@@ -61,8 +61,13 @@ def summary(run: Trajectory) -> str:
     ]
     if run.trust_horizon is not None:
         until = "throughout" if math.isinf(run.trust_horizon) else f"until {run.trust_horizon:g} s"
-        lines.append(f"right to {asked.certify:g} rad {until}")
+        lines.append(f"accurate to {asked.certify:g} rad {until}")
     return "\n".join(lines)
+
+
+def times_of(run: Trajectory) -> str:
+    """How many outputs a run has."""
+    return f"{len(run.t)} time{'' if len(run.t) == 1 else 's'}"
 
 
 def largest_energy_error(run: Trajectory) -> float:

@@ -58,12 +58,12 @@ _PAGE: dict[Language, _Words] = {
         title="Errata of the paper",
         intro=(
             f"The paper is {PAPER}.\n\n"
-            "Its equations were derived again, which brought these misprints to light. For every\n"
-            "row a test shows that the printed form is wrong and the correct one right.\n"
+            "Its equations were derived again, which brought these misprints to light. For each\n"
+            "row a test shows that the printed form is wrong and that the correct form holds.\n"
             "Notation: τ = 2π, ωₙ = √(g/L), k = sin(θ₀/2); a dot is a time derivative."
         ),
-        columns=("Equation", "As printed", "Correct", "Why"),
-        right="Checked in the same way and right as printed:",
+        columns=("Equation", "As printed", "Correct", "Reason"),
+        right="Checked in the same way and correct as printed:",
     ),
     "es": _Words(
         title="Erratas del artículo",
@@ -71,9 +71,9 @@ _PAGE: dict[Language, _Words] = {
             f"El artículo es {PAPER}.\n\n"
             "Al deducir de nuevo sus ecuaciones aparecieron estas erratas. Para cada fila, una\n"
             "prueba muestra que la forma impresa es incorrecta y la corregida, correcta.\n"
-            "Notación: τ = 2π, ωₙ = √(g/L), k = sin(θ₀/2); un punto es una derivada temporal."
+            "Notación: τ = 2π, ωₙ = √(g/L), k = sen(θ₀/2); un punto es una derivada temporal."
         ),
-        columns=("Ecuación", "Impreso", "Correcto", "Por qué"),
+        columns=("Ecuación", "Impreso", "Correcto", "Motivo"),
         right="Comprobadas del mismo modo y correctas tal como están impresas:",
     ),
 }

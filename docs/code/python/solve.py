@@ -1,0 +1,5 @@
+run = pendula.solve(rods, state, 5.0)
+few = pendula.solve(rods, state, [1.0, 2.5, 5.0])
+print(run.outcome, run.n_steps, bool((run.at(few.t) == few.states).all()))
+wild = pendula.solve(rods, state, 100.0, "euler", step=0.5)
+print(wild.outcome, wild.t[-1], [each.name for each in pendula.methods() if each.order == 4])
