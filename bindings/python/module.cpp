@@ -4,14 +4,12 @@
 void bind_catalog(nanobind::module_& m);
 void bind_request(nanobind::module_& m);
 void bind_runs(nanobind::module_& m);
-void bind_exact(nanobind::module_& m);
-void bind_elliptic(nanobind::module_& m);
+void bind_closed_forms(nanobind::module_& m);
 
 NB_MODULE(_core, m) {
   m.doc() = "The compiled core of pendula. Use the package; this module has no checks.";
   bind_catalog(m);
   bind_request(m);
   bind_runs(m);
-  bind_exact(m);
-  bind_elliptic(m);
+  bind_closed_forms(m);
 }

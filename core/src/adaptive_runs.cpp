@@ -19,6 +19,24 @@ step_memory packed(const compensated_point<vec<double, 1>>& time, const Memory& 
   return all;
 }
 
+// The step that a run stands in, for those who look inside it.
+template <class Run>
+struct motion_of final : step_motion {
+  motion_of(const Run& run, double stop) : run(run), length(stop) {}
+
+  two_doubles start() const override { return {run.time().head[0], run.time().tail[0]}; }
+  double stop() const override { return length; }
+  double time_after(double tau) const override { return run.time_after(tau); }
+  void angles(double tau, double* to) const override {
+    const auto y = run.stepper().after(tau).head;
+    std::copy_n(y.begin(), y.size() / 2, to);
+  }
+  step_memory memory() const override { return packed(run.time(), run.stepper().remembered()); }
+
+  const Run& run;
+  double length;
+};
+
 // Hands outputs and events on to a receiver; states are computed only where there is an output.
 template <class Run>
 class reporter {
@@ -27,13 +45,13 @@ class reporter {
   reporter(std::span<const double> times, std::size_t next, receiver& to) : times_(times), next_(next), to_(to) {}
 
   bool step(const Run& run, double stop) {
-    to_.step(packed(run.time(), run.stepper().remembered()));
+    const bool go_on = to_.step(motion_of<Run>(run, stop));
     if (times_.empty()) {
       const bool at_end = stop == run.since_step(run.end());
       output(run, at_end ? run.end() : last_time_in_step(run, stop));
     }
     while (next_ < times_.size() && reached(run, stop)) output(run, times_[next_]);
-    return true;
+    return go_on;
   }
   void event(const Run& run, int place, double tau) {
     const auto y = run.stepper().state_of(run.stepper().after(tau));

@@ -59,7 +59,7 @@ struct one_trajectory final : receiver {
     return true;
   }
   void event(int place, double t, const double* y) override { to.event(trajectory, place, t, y); }
-  void step(const step_memory&) override {}
+  bool step(const step_motion&) override { return true; }
   bool go_on(double) override { return to.go_on(); }
 
   ensemble_receiver& to;

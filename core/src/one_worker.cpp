@@ -1,5 +1,6 @@
 #include <chrono>
 
+#include "pendula/drive/polling.hpp"
 #include "pendula/kernels/pool.hpp"
 
 namespace pendula {
@@ -15,7 +16,7 @@ class work_of_one final : public shared_work {
   void done() override { ++done_; }
   bool go_on() override {
     const auto now = clock::now();
-    if (going_on_ && now - last_ >= std::chrono::milliseconds(50)) {
+    if (going_on_ && now - last_ >= between_looks) {
       last_ = now;
       going_on_ = watch_(static_cast<double>(done_) / static_cast<double>(count_));
     }

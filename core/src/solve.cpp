@@ -17,7 +17,7 @@ watcher part_of(const watcher& whole, double from, double to) {
   return [&whole, from, to](double done) { return whole(from + (to - from) * done); };
 }
 
-void step_starts::add(const step_memory& start) {
+void step_starts::add(const step_motion& motion) {
   constexpr std::size_t most = std::size_t{1} << 14;  // 3 MB
   if (counted_++ % stride_ != 0) return;
   if (starts_.size() == most) {
@@ -26,7 +26,7 @@ void step_starts::add(const step_memory& start) {
     stride_ *= 2;
     if ((counted_ - 1) % stride_ != 0) return;
   }
-  starts_.push_back(start);
+  starts_.push_back(motion.memory());
 }
 
 namespace {
@@ -45,7 +45,10 @@ struct collector final : receiver {
     mine.times.push_back(t);
     mine.states.insert(mine.states.end(), y, y + asked.state.size());
   }
-  void step(const step_memory& start) override { starts.add(start); }
+  bool step(const step_motion& motion) override {
+    starts.add(motion);
+    return true;
+  }
   bool go_on(double t) override { return watch((t - asked.t0) / span); }
 
   const request& asked;
@@ -103,7 +106,7 @@ struct writer final : receiver {
     return true;
   }
   void event(int, double, const double*) override {}
-  void step(const step_memory&) override {}
+  bool step(const step_motion&) override { return true; }
   bool go_on(double) override { return watch(0.0); }
 
   double* to;

@@ -6,13 +6,12 @@
 #include <thread>
 #include <vector>
 
+#include "pendula/drive/polling.hpp"
 #include "pendula/kernels/pool.hpp"
 
 namespace pendula {
 
 namespace {
-
-constexpr auto between_looks = std::chrono::milliseconds(50);
 
 class work_of_threads final : public shared_work {
  public:

@@ -54,23 +54,25 @@ struct at_rest : pendula::shadow {
 
 using detector = divergence_detector<pendula::shadow>;
 
-// A run in steps of 0.5 whose second angle is that function of time.
-struct prescribed_run {
-  using point = compensated_point<std::array<double, 4>>;
+// A step of 0.5 of a run whose second angle is that function of time.
+struct prescribed_step {
   double (*angle)(double);
-  compensated_point<std::array<double, 1>> start{{{0.0}}, {{0.0}}};
+  double begin = 0.0;
 
-  const prescribed_run& stepper() const { return *this; }
-  const auto& time() const { return start; }
-  point after(double tau) const { return {{0.0, angle(start.head[0] + tau), 0.0, 0.0}, {}}; }
+  pendula::two_doubles start() const { return {begin, 0.0}; }
+  double stop() const { return 0.5; }
+  void angles(double tau, double* to) const {
+    to[0] = 0.0;
+    to[1] = angle(begin + tau);
+  }
 };
 
 double divergence_of(double (*angle)(double), double tolerance) {
   at_rest beside;
   const detector::poll always = [](double) { return true; };
-  detector diverging(beside, tolerance, 1.0, always);
-  for (prescribed_run run{angle}; run.start.head[0] < 20.0; run.start.head[0] += 0.5)
-    if (const double right = diverging.right_in_step(run, 0.5); right != 0.5) return run.start.head[0] + right;
+  detector diverging(beside, 2, tolerance, 1.0, always);
+  for (prescribed_step step{angle}; step.begin < 20.0; step.begin += 0.5)
+    if (const double right = diverging.right_in_step(step); right != 0.5) return step.begin + right;
   return -1.0;
 }
 
@@ -82,14 +84,14 @@ BOOST_AUTO_TEST_CASE(a_shadow_that_stands_still_or_is_stopped_is_not_waited_for)
   } stuck;
   at_rest beside;
   const detector::poll always = [](double) { return true; }, never = [](double) { return false; };
-  const std::array<double, 4> still{};
-  detector from_stuck(stuck, 1.0, 1.0, always), stopped(beside, 1.0, 1.0, never);
+  const std::array<double, 2> still{};
+  detector from_stuck(stuck, 2, 1.0, 1.0, always), stopped(beside, 2, 1.0, 1.0, never);
   BOOST_TEST(from_stuck.right(wide<double>(0.2), still));
   BOOST_TEST(!from_stuck.right(wide<double>(1e9), still));
   BOOST_TEST(!from_stuck.stopped());
   BOOST_TEST(!stopped.right(wide<double>(1e9), still));
   BOOST_TEST(stopped.stopped());
-  BOOST_TEST(!from_stuck.right(wide<double>(0.2), std::array<double, 4>{std::nan("")}));
+  BOOST_TEST(!from_stuck.right(wide<double>(0.2), std::array<double, 2>{std::nan("")}));
 }
 
 BOOST_AUTO_TEST_CASE(doubles_go_into_long_numbers_and_back) {

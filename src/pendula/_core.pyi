@@ -232,27 +232,19 @@ counted_half_periods: float = 1125899906842624.0
 
 most_half_periods: float = 1.6069380442589903e+60
 
-def exact_linear(length: float, gravity: float, states: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], t: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], t0: float, out: Annotated[NDArray[numpy.float64], dict(shape=(None, None, None), order='C', device='cpu')]) -> bool:
+def exact(description: Description, states: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], t: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], t0: float, out: Annotated[NDArray[numpy.float64], dict(shape=(None, None, None), order='C', device='cpu')]) -> bool:
     """
-    States (m, n, 2) of the linear pendulum at times t from states (m, 2) at t0; false where t is too large.
-    """
-
-def exact_simple(length: float, gravity: float, states: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], t: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], t0: float, out: Annotated[NDArray[numpy.float64], dict(shape=(None, None, None), order='C', device='cpu')]) -> bool:
-    """
-    States (m, n, 2) of the simple pendulum at times t from states (m, 2) at t0; false where one is too large.
+    States (m, n, 2) at times t (n,) from states (m, 2) at t0, into `out`; false where one is too large.
     """
 
-def simple_period(length: float, gravity: float, states: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)]) -> NDArray[numpy.float64]:
-    """Periods of states (m, 2)."""
+def periods(description: Description, states: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)]) -> NDArray[numpy.float64]:
+    """Periods of states (m, 2) [s]."""
 
-def simple_action(length: float, gravity: float, mass: float, states: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)]) -> NDArray[numpy.float64]:
-    """Actions of states (m, 2)."""
+def actions(description: Description, states: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)]) -> NDArray[numpy.float64]:
+    """Actions of states (m, 2) [J s]."""
 
-def simple_time_at(length: float, gravity: float, states: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], theta: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)]) -> NDArray[numpy.float64]:
-    """When each state (m, 2) first has its angle (m,)."""
-
-def linear_time_at(length: float, gravity: float, states: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], theta: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)]) -> NDArray[numpy.float64]:
-    """The same of the linear pendulum."""
+def times_at(description: Description, states: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], theta: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)]) -> NDArray[numpy.float64]:
+    """When each state (m, 2) first has its angle (m,) [s]."""
 
 def elliptic_K(moduli: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], complement: bool) -> NDArray[numpy.float64]:
     """The complete integral of the first kind."""

@@ -24,12 +24,11 @@ def exact_states(system: System, state: Array, t: Array, t0: float) -> Array:
     import numpy as np
 
     solvable = with_closed_form(system)
-    length, gravity, _ = system.parameters.values()
     states = np.ascontiguousarray(state.reshape(-1, 2))
     out = np.empty((len(states), t.size, 2))
     if t.size == 0:
         check_finite("state", state)
-    if not _engine.exact_solutions[system.name](length, gravity, states, t, t0, out):
+    if not _engine.exact(system._description(), states, t, t0, out):
         check_finite("state", state)
         _refuse(solvable, states, t - t0, out)
     return out.reshape((*state.shape[:-1], t.size, 2))

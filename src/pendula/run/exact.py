@@ -68,10 +68,8 @@ def time_at(system: System, state: ArrayLike, theta: ArrayLike) -> Any:
     solvable.check_start(start)
     angles = finite_array("theta", theta, "rad")
     shape = np.broadcast_shapes(start.shape[:-1], angles.shape)
-    length, gravity, _ = system.parameters.values()
-    result = _engine.time_at[system.name](
-        length,
-        gravity,
+    result = _engine.times_at(
+        system._description(),
         np.ascontiguousarray(np.broadcast_to(start, (*shape, 2)).reshape(-1, 2)),
         np.ascontiguousarray(np.broadcast_to(angles, shape).ravel()),
     )
@@ -96,5 +94,6 @@ def action(system: System, state: ArrayLike) -> Any:
     """
     solvable = with_closed_form(system)
     start = states_array(state, system.components)
+    solvable.check_start(start)
     result = solvable.actions(start)
     return result if start.ndim > 1 else float(result)

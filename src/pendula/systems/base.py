@@ -127,7 +127,10 @@ class ClosedForm(System):
 
     def actions(self, states: Array) -> Array:
         """∮ p dθ / 2π of the motions through states (..., 2), (...) [J s]."""
-        raise NotImplementedError
+        import numpy as np
+
+        rows = np.ascontiguousarray(states.reshape(-1, 2))
+        return _engine.actions(self._description(), rows).reshape(states.shape[:-1])
 
     def check_start(self, states: Array) -> None:
         """Refuse states (..., 2) that the closed form has no digits for.

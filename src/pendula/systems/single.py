@@ -54,15 +54,11 @@ class LinearPendulum(_OneBob):
     largest_start: ClassVar[float] = _engine.LARGEST_START_SPEED
     most_half_periods: ClassVar[float] = _engine.COUNTED_HALF_PERIODS
 
-    def actions(self, states: Array) -> Array:
-        """Energy over ωn: ∮ p dθ / 2π of the motions through states (..., 2), (...) [J s]."""
-        return self.energy(states) / self.natural_frequency
-
     def period(self, amplitude: ArrayLike | None = None, *, state: ArrayLike | None = None) -> Any:
         """2π/ωn [s], the same for every amplitude or state; shaped as they are."""
         import numpy as np
 
-        one = 2.0 * math.pi / self.natural_frequency
+        one = float(_engine.periods(self._description(), np.zeros((1, 2)))[0])
         shape: tuple[int, ...] = ()
         if amplitude is not None:
             shape = finite_array("amplitude", amplitude, "rad").shape
@@ -87,15 +83,6 @@ class SimplePendulum(_OneBob):
     name: ClassVar[str] = "simple"
     largest_start: ClassVar[float] = _engine.LARGEST_START_ANGLE
     most_half_periods: ClassVar[float] = _engine.MOST_HALF_PERIODS
-
-    def actions(self, states: Array) -> Array:
-        """∮ p dθ / 2π of the motions through states (..., 2), (...) [J s]."""
-        import numpy as np
-
-        self.check_start(states)
-        rows = np.ascontiguousarray(states.reshape(-1, 2))
-        found = _engine.simple_action(self.length, self.gravity, self.mass, rows)
-        return found.reshape(states.shape[:-1])
 
     def period(self, amplitude: ArrayLike | None = None, *, state: ArrayLike | None = None) -> Any:
         """Period of the motion of that amplitude, or through that state [s].
@@ -125,7 +112,7 @@ class SimplePendulum(_OneBob):
             states = states_array(state, self.components)  # type: ignore[arg-type]
             self.check_start(states)
         rows = np.ascontiguousarray(states.reshape(-1, 2))
-        result = _engine.simple_period(self.length, self.gravity, rows)
+        result = _engine.periods(self._description(), rows)
         return result.reshape(states.shape[:-1]) if states.ndim > 1 else float(result[0])
 
     def _releases(self, amplitude: ArrayLike) -> Array:

@@ -14,33 +14,39 @@
 
 namespace pendula::inline PENDULA_MACHINE {
 
-// `Shadow` stands in a step of its own: proceed() to the next, step_end() as head and tail, and angles(time, to).
+// `Shadow` stands in a step of its own: proceed() to the next, step_end() as head and tail, and angles(time, to). There
+// are so many `angles`.
 template <class Shadow>
 class divergence_detector {
  public:
   using poll = std::function<bool(double)>;
 
   // `go_on` is asked with the time now and then; once it says false, nothing is right, and the detector `stopped`.
-  divergence_detector(Shadow& beside, double tolerance, double direction, const poll& go_on)
-      : beside_(beside), tolerance_(tolerance), direction_(direction), go_on_(go_on) {}
+  divergence_detector(Shadow& beside, std::size_t angles, double tolerance, double direction, const poll& go_on)
+      : beside_(beside), angles_(angles), own_(angles), tolerance_(tolerance), direction_(direction), go_on_(go_on) {}
 
   bool stopped() const { return stopped_; }
 
-  // Of states that follow one another in time: whether this one is still right.
-  template <class State>
-  bool right(wide<double> time, const State& y) {
+  // Of angles that follow one another in time: whether these are still right.
+  template <class Angles>
+  bool right(wide<double> time, const Angles& y) {
     while (ahead(time) > 0.0)
       if (!proceed()) return false;
     return close(time, y);
   }
 
-  // For a step of a run that knows the motion inside it, from the step's start, where it still is right, up to `stop`
-  // after it: how far it is right. Its angles and the shadow's are compared at several times on each piece where both
-  // are polynomials.
-  template <class Run>
-  double right_in_step(const Run& run, double stop) {
-    const wide<double> start(run.time().head[0], run.time().tail[0]);
-    const auto is_right = [&](double tau) { return close(start + wide<double>(tau), run.stepper().after(tau).head); };
+  // For a step of a run that knows the motion inside it, from the step's start, where it still is right, up to its
+  // stop: how far it is right. Its angles and the shadow's are compared at several times on each piece where both are
+  // polynomials.
+  template <class Step>
+  double right_in_step(const Step& step) {
+    const auto [head, tail] = step.start();
+    const wide<double> start(head, tail);
+    const double stop = step.stop();
+    const auto is_right = [&](double tau) {
+      step.angles(tau, own_.data());
+      return close(start + wide<double>(tau), own_);
+    };
     for (double from = 0.0;;) {
       const double reach = -ahead_of(start), end = direction_ * std::min(direction_ * reach, direction_ * stop);
       for (int i = 1; i <= looks; ++i) {
@@ -73,9 +79,8 @@ class divergence_detector {
   }
   double ahead(wide<double> time) const { return direction_ * ahead_of(time); }
 
-  template <class State>
-  bool close(wide<double> time, const State& y) const {
-    angles_.resize(y.size() / 2);
+  template <class Angles>
+  bool close(wide<double> time, const Angles& y) const {
     beside_.angles({time.hi, time.lo}, angles_.data());
     for (std::size_t i = 0; i < angles_.size(); ++i) {
       const double apart = std::fabs((y[i] - angles_[i].head) - angles_[i].tail);
@@ -94,7 +99,8 @@ class divergence_detector {
   }
 
   Shadow& beside_;
-  mutable std::vector<decltype(std::declval<Shadow&>().step_end())> angles_;
+  mutable std::vector<decltype(std::declval<Shadow&>().step_end())> angles_;  // the shadow's
+  std::vector<double> own_;                                                   // the run's
   double tolerance_, direction_;
   const poll& go_on_;
   long steps_ = 0;

@@ -8,14 +8,9 @@
 #include <vector>
 
 #include "pendula/exact/simple_many_digits.hpp"
-#include "pendula/kernels/exact_kernels.hpp"
+#include "pendula/kernels/closed_forms.hpp"
 
 namespace pendula::inline PENDULA_MACHINE {
-
-inline constexpr double counted_half_periods = 0x1p50;  // that three doubles count; beyond, a hundred digits do
-inline constexpr double most_half_periods = 0x1p200;    // that those count; of the linear pendulum, the former
-inline constexpr double largest_start_angle = 0x1p50;
-inline constexpr double largest_start_speed = 0x1p900;  // in natural frequencies
 
 // Some states (θ0, ω0), one after the other, and some times for each.
 struct exact_request {
@@ -26,9 +21,6 @@ struct exact_request {
   std::size_t time_count;
   double t0;
 };
-
-// `refused`: some state or time is too large; NaN tells which (of the linear pendulum, the first one).
-enum class exact_outcome { complete, refused, stopped };
 
 namespace detail {
 

@@ -7,6 +7,9 @@
 
 namespace pendula {
 
+// `refused`: some state or time is too large; the first one has NaN for its result.
+enum class exact_outcome { complete, refused, stopped };
+
 struct exact_kernel {
   // Each state (θ0, ω0), the time t − t0 after it, into `out`, pair by pair.
   void (*states)(double length, double gravity, const double* states, std::size_t count, double t, double t0,

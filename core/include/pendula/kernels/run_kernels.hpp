@@ -6,7 +6,6 @@
 #include <cstddef>
 #include <span>
 
-#include "pendula/drive/fixed_grid.hpp"
 #include "pendula/drive/outcome.hpp"
 #include "pendula/kernels/request.hpp"
 
@@ -15,13 +14,29 @@ namespace pendula {
 // What a run can be taken up from: the time (head and tail) and the stepper's memory.
 using step_memory = std::array<double, 24>;
 
+struct two_doubles {  // an unevaluated sum
+  double head, tail;
+};
+
+// The step that an adaptive run stands in, and the motion inside it.
+struct step_motion {
+  virtual two_doubles start() const = 0;                  // its time
+  virtual double stop() const = 0;                        // up to here after it the motion is the run's
+  virtual double time_after(double tau) const = 0;        // since the start
+  virtual void angles(double tau, double* to) const = 0;  // at that time
+  virtual step_memory memory() const = 0;
+
+ protected:
+  ~step_motion() = default;
+};
+
 // Whom a run hands its results to; `y` is a state (angles, velocities).
 struct receiver {
   // An output, by its place among them; false ends the run.
   virtual bool output(std::size_t place, double t, const double* y) = 0;
   virtual void event(int place, double t, const double* y) = 0;
-  virtual void step(const step_memory& start) = 0;  // of an adaptive method
-  virtual bool go_on(double t) = 0;                 // asked every few milliseconds
+  virtual bool step(const step_motion&) = 0;  // of an adaptive method; false ends the run
+  virtual bool go_on(double t) = 0;           // asked every few milliseconds
 
  protected:
   ~receiver() = default;

@@ -4,13 +4,9 @@
 
 #include <memory>
 
-#include "pendula/kernels/request.hpp"
+#include "pendula/kernels/run_kernels.hpp"
 
 namespace pendula {
-
-struct two_doubles {  // an unevaluated sum
-  double head, tail;
-};
 
 // It stands in a step of its own, which begins at or before the times it is asked about.
 class shadow {

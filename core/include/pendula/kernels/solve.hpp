@@ -15,7 +15,7 @@ run_result solve(const request&, const watcher&);
 // Starts of steps, from which the motion between can be worked out again: all of them, or every so many.
 class step_starts {
  public:
-  void add(const step_memory& start);
+  void add(const step_motion&);
   std::size_t size() const { return starts_.size(); }
   const step_memory& operator[](std::size_t i) const { return starts_[i]; }
   double time(std::size_t i) const { return starts_[i][0]; }
