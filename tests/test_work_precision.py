@@ -20,7 +20,7 @@ from pendula.analysis import (
     time_scale,
     work_precision,
 )
-from pendula.analysis.work_precision import series_order
+from pendula._engine import series_order
 from pendula.io.rows import write_rows
 from pendula.plot.style import MARKERS, line
 

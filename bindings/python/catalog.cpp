@@ -6,7 +6,8 @@
 #include <algorithm>
 
 #include "arrays.hpp"
-#include "pendula/kernels/catalogue.hpp"
+#include "pendula/drive/fixed_grid.hpp"
+#include "pendula/kernels/catalog_rows.hpp"
 #include "pendula/kernels/machine.hpp"
 #include "pendula/scalar/whole_turns.hpp"
 #include "request.hpp"
@@ -129,6 +130,12 @@ array_out within_range_of_sine(const array_in& angles) {
   return out.array;
 }
 
+int series_order(double tolerance) {
+  pendula::run_options options;
+  options.tolerance = tolerance;
+  return pendula::series_order(options);
+}
+
 nb::dict constants(const system_description& of) {
   nb::dict named;
   for (const auto& each : pendula::numbers_of(of).constants) named[text(each.name)] = each.value;
@@ -144,6 +151,9 @@ void bind_catalog(nb::module_& m) {
   m.def("machines", &machines, nb::sig("def machines() -> list[str]"),
         "What this processor is of the machines that loops are built for.");
   m.attr("largest_angle") = pendula::largest_angle;
+  m.attr("on_grid") = pendula::on_grid;
+  m.def("series_order", &series_order, "tolerance"_a,
+        "The order of the series that the Taylor method takes.");
   m.def("rhs", &rhs, "description"_a, "states"_a, "t"_a, "Time derivative of each state, (n, d).");
   m.def("energies", &energies, "description"_a, "states"_a, "Kinetic and potential energy of each state [J].");
   m.def("positions", &positions, "description"_a, "states"_a, "Bob, or end of each rod, (n, d/2, 2) [m].");

@@ -155,6 +155,7 @@ void bind_runs(nb::module_& m) {
   m.def("trust_horizon", &trust_horizon, "request"_a, "progress"_a.none(),
         "The trust horizon of a run that reached its end, not checked again; infinite: not within the run.");
   m.def("outcomes", &outcome_names, nb::sig("def outcomes() -> list[str]"), "How runs end, by number.");
+  m.attr("largest_long_angle") = pendula::largest_long_angle;
   m.def("long_run_digits", &long_run_digits, "Decimal digits of the levels of `long_run`.");
   m.def("long_run", &long_run, "request"_a, "level"_a, "progress"_a.none(),
         "The run with the digits of a level: states and their tails at the request's times.");

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "pendula/kernels/catalogue.hpp"
+#include "pendula/kernels/catalog_rows.hpp"
 #include "pendula/kernels/options.hpp"
 
 namespace pendula {

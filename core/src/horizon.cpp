@@ -8,7 +8,7 @@
 #include "pendula/drive/divergence.hpp"
 #include "pendula/drive/fixed_grid.hpp"
 #include "pendula/drive/polling.hpp"
-#include "pendula/kernels/catalogue.hpp"
+#include "pendula/kernels/catalog_rows.hpp"
 #include "pendula/kernels/run_kernels.hpp"
 #include "pendula/kernels/shadow_kernels.hpp"
 #include "pendula/scalar/sincos.hpp"

@@ -1,5 +1,5 @@
 // Which of the builds of lanes this processor runs.
-#include "pendula/kernels/catalogue.hpp"
+#include "pendula/kernels/catalog_rows.hpp"
 #include "pendula/kernels/lanes_kernels.hpp"
 #include "pendula/kernels/machine.hpp"
 

@@ -12,9 +12,6 @@ namespace pendula {
 
 namespace {
 
-// Beyond it little is left of a double's turn, and the sine's count of quarter turns would not be exact.
-constexpr double largest_long_angle = 0x1p50;
-
 // Collects states at the request's times as heads and tails.
 struct collector {
   std::span<const double> times;

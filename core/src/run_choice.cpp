@@ -1,5 +1,5 @@
 // Which of the builds of one trajectory's runs, and of the shadow beside them, this processor runs.
-#include "pendula/kernels/catalogue.hpp"
+#include "pendula/kernels/catalog_rows.hpp"
 #include "pendula/kernels/machine.hpp"
 #include "pendula/kernels/run_kernels.hpp"
 #include "pendula/kernels/shadow_kernels.hpp"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "pendula/kernels/catalogue.hpp"
+#include "pendula/kernels/catalog_rows.hpp"
 #include "pendula/kernels/check.hpp"
 #include "pendula/kernels/horizon.hpp"
 

@@ -20,6 +20,11 @@ def machines() -> list[str]:
 
 largest_angle: float = 67108864.0
 
+on_grid: float = 1e-09
+
+def series_order(tolerance: float) -> int:
+    """The order of the series that the Taylor method takes."""
+
 def rhs(description: Description, states: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], t: float) -> NDArray[numpy.float64]:
     """Time derivative of each state, (n, d)."""
 
@@ -215,6 +220,8 @@ def trust_horizon(request: Request, progress: object | None) -> float:
 
 def outcomes() -> list[str]:
     """How runs end, by number."""
+
+largest_long_angle: float = 1125899906842624.0
 
 def long_run_digits() -> list[int]:
     """Decimal digits of the levels of `long_run`."""

@@ -259,6 +259,9 @@ def within_range_of_sine(states: Array) -> Array:
 
 
 LARGEST_ANGLE = _core.largest_angle  # the sine ends there [rad]
+LARGEST_LONG_ANGLE = _core.largest_long_angle  # a run with many digits ends there [rad]
+ON_GRID = _core.on_grid  # of a spacing: a time nearer to the grid lies on it
+series_order = _core.series_order
 constants = _core.constants
 scales = _core.scales
 Event = _core.Event

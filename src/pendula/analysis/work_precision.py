@@ -189,7 +189,7 @@ def _work(
     whole = np.array([run.outcome == "reached_end" for run in runs])
     counts = np.array([run.n_evaluations for run in runs], dtype=np.float64)
     if method.needs == "analytic":
-        counts *= [series_order(each) for each in settings.tolist()]
+        counts *= [_engine.series_order(each) for each in settings.tolist()]
     seconds = _least_times([_bare_run(method.name, run) for run in runs]) if timed else math.nan
     with np.errstate(over="ignore", invalid="ignore"):  # of a run that breaks down
         errors = [float(angle_difference(run, reference).max()) for run in runs]
@@ -204,11 +204,6 @@ def _work(
         energy_errors=np.where(whole, energies, math.inf),
         outcomes=tuple(run.outcome for run in runs),
     )
-
-
-def series_order(tolerance: float) -> int:
-    """Of the Taylor method's series (Jorba & Zou 2005, eq. 9; the next even number)."""
-    return 2 * math.ceil((1.0 - 0.5 * math.log(tolerance)) / 2.0 - 1e-3)
 
 
 def _bare_run(method: str, run: Trajectory) -> Callable[[], object]:

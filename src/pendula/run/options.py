@@ -112,10 +112,14 @@ def takes_options(*names: str) -> Callable[[Function], Function]:
         function.__signature__ = signature.replace(parameters=[*kept, *options])  # type: ignore[attr-defined]
         lines = "\n".join(f"        {row.sentence}" for row in ROWS.values() if row.name in taken)
         marker = "        **options: see `RunOptions`."
-        function.__doc__ = (function.__doc__ or "").replace(marker, lines + _EVENTS * ("events" in taken))
+        function.__doc__ = (function.__doc__ or "").replace(
+            marker, lines + _EVENTS * ("events" in taken)
+        )
         return function
 
     return with_options
 
 
-_EVENTS = "\n        events: what to look for inside the steps of an adaptive method: `pendula.events`."
+_EVENTS = (
+    "\n        events: what to look for inside the steps of an adaptive method: `pendula.events`."
+)

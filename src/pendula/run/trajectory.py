@@ -141,9 +141,7 @@ class Trajectory:
             raise ArgumentError("t", rule, value=float(times[beyond.argmax()]))
         order = np.argsort(direction * times, kind="stable")
         states = np.empty((times.size, asked.state.size))
-        states[order] = self._dense.at(
-            np.ascontiguousarray(times[order]), asked.state.size
-        )
+        states[order] = self._dense.at(np.ascontiguousarray(times[order]), asked.state.size)
         return states
 
     @cached_property

@@ -23,7 +23,6 @@ PARTED = 1e-3  # rad, at which a run with doubles is taken to have parted from t
 LOST = 13.0  # digits of a double there
 RESERVE = 4.0  # digits
 GROWTH_ALLOWED = 1.1  # of the logarithm of errors, beyond the growth that was seen
-LARGEST_ANGLE = 2.0**50  # of the many-digit runs [rad]
 
 
 class DigitsError(ArgumentError):
@@ -190,7 +189,7 @@ class _LongRuns:
         if result.outcome != "reached_end":
             raise DigitsError(
                 "not_finite",
-                f"needs angles below 2^50 = {LARGEST_ANGLE:.3g} rad all the way to "
+                f"needs angles below 2^50 = {_engine.LARGEST_LONG_ANGLE:.3g} rad all the way to "
                 f"t = {float(wanted[-1])!r} s",
                 "start from a smaller angle, or end the run before",
             )

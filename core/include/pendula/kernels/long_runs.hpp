@@ -9,6 +9,10 @@
 
 namespace pendula {
 
+// An angle from which on a run ends: beyond it little is left of a double's turn, and the sine's count of quarter turns
+// would not be exact.
+inline constexpr double largest_long_angle = 0x1p50;
+
 struct long_run_kernel {
   int decimal_digits;  // that it computes with
   // States at the request's times, and their tails.

@@ -13,6 +13,12 @@
 
 namespace pendula::inline PENDULA_MACHINE {
 
+// Order 1 − ½ ln(tolerance) makes the least work for the distance (Jorba & Zou 2005, eq. 9); the next even number.
+inline int taylor_order(double log2_of_tolerance) {
+  const double pairs = 0.5 * (1.0 - 0.34657359027997264 * log2_of_tolerance);  // ½ ln 2
+  return 2 * static_cast<int>(std::ceil(pairs - 1e-3));
+}
+
 template <Analytic Sys>
 class taylor_stepper {
  public:
@@ -21,14 +27,8 @@ class taylor_stepper {
   using point = compensated_point<state>;
   using R = roughly<S>;
 
-  // Order 1 − ½ ln(tolerance) makes the least work for the distance (Jorba & Zou 2005, eq. 9); the next even number.
-  static int order_for(double log2_of_tolerance) {
-    const double pairs = 0.5 * (1.0 - 0.34657359027997264 * log2_of_tolerance);  // ½ ln 2
-    return 2 * static_cast<int>(std::ceil(pairs - 1e-3));
-  }
-
   taylor_stepper(const Sys& system, double log2_of_tolerance)
-      : order_(order_for(log2_of_tolerance)),
+      : order_(taylor_order(log2_of_tolerance)),
         series_(order_),
         inverse_(static_cast<std::size_t>(order_) + 2),
         log2_of_error_(log2_of_tolerance - 5.0) {

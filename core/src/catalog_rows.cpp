@@ -1,4 +1,4 @@
-#include "pendula/kernels/catalogue.hpp"
+#include "pendula/kernels/catalog_rows.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -84,6 +84,8 @@ const method_row* method_named(std::string_view name) {
 bool takes_system(const method_row& method, std::string_view system) {
   return std::ranges::find(method.systems, system) != method.systems.end();
 }
+
+int series_order(const run_options& options) { return taylor_order(log2_of_tolerance(options)); }
 
 system_numbers numbers_of(const system_description& of) {
   system_numbers numbers{};

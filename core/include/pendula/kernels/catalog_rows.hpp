@@ -36,6 +36,9 @@ std::span<const method_row> method_rows();
 const method_row* method_named(std::string_view name);
 bool takes_system(const method_row&, std::string_view system);
 
+// The order of the series that the Taylor method takes.
+int series_order(const run_options&);
+
 // The numbers that the equations of a described system are written in, and its scales.
 struct system_numbers {
   std::vector<constant<double>> constants;
