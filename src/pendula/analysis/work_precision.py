@@ -12,7 +12,6 @@ from numpy.typing import ArrayLike
 
 from pendula import _engine
 from pendula._checks import finite_number, whole_number
-from pendula._messages import ArgumentError
 from pendula.analysis.difference import angle_difference
 from pendula.analysis.method_work import MethodWork, WorkPrecision
 from pendula.run.exact import exact

@@ -27,7 +27,6 @@ if TYPE_CHECKING:
     from pendula.run.options import RunOptions
 
 
-
 @dataclass(frozen=True, eq=False, repr=False, kw_only=True)
 class Ensemble(Runs):
     """What `ensemble` returns: n trajectories, with all that `Runs` says of them.

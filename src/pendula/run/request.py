@@ -141,4 +141,3 @@ def refuse(fault: _engine.Fault | None, **names: str) -> None:
     details = {"value": fault.value, **fault.details}
     argument = names.get(fault.argument, fault.argument)
     raise ArgumentError(argument, row.english, row.way_out_in_english, **details)
-

@@ -14,7 +14,6 @@ from pendula._messages import ArgumentError
 from pendula.run.closed_form import exact_states
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
     from os import PathLike
 
     import pandas as pd
@@ -141,9 +140,7 @@ class Trajectory:
             raise ArgumentError("t", rule, value=float(times[beyond.argmax()]))
         order = np.argsort(direction * times, kind="stable")
         states = np.empty((times.size, asked.state.size))
-        states[order] = self._dense.at(
-            np.ascontiguousarray(times[order]), asked.state.size
-        )
+        states[order] = self._dense.at(np.ascontiguousarray(times[order]), asked.state.size)
         return states
 
     @cached_property

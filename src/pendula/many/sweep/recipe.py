@@ -83,6 +83,8 @@ class SweepRecipe(Options):
 
 def sweep_from(resolved: dict[str, Any]) -> SweepRecipe:
     """The recipe that `SweepRecipe.resolved` described."""
-    known = {each.name: resolved[each.name] for each in fields(SweepRecipe) if each.name not in OPTIONS}
+    known = {
+        each.name: resolved[each.name] for each in fields(SweepRecipe) if each.name not in OPTIONS
+    }
     sampler = sampler_from(resolved["sampler"])
     return SweepRecipe(**{**known, "sampler": sampler, **options_from(resolved)})
