@@ -200,6 +200,11 @@ def option_rows() -> tuple[OptionRow, ...]:
     return tuple(OptionRow(**row) for row in _core.option_rows())
 
 
+def option_unit(name: str) -> str:
+    """SI unit of an option of a run; empty: it has none, or is no such option."""
+    return next((row.unit for row in option_rows() if row.name == name), "")
+
+
 @dataclass(frozen=True)
 class RuleRow:
     """The sentences of a rule, after the argument's name, and the ways out: templates."""

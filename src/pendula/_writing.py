@@ -8,6 +8,8 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from pendula._messages import Message
+
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
@@ -26,7 +28,8 @@ def refuse_existing(target: Path, *, overwrite: bool) -> None:
     if not os.access(folder, os.W_OK):
         raise PermissionError(f"cannot write {target}: no permission to write in {folder}")
     if os.path.lexists(target) and not overwrite:
-        raise FileExistsError(f"{target} exists; choose another name, or pass overwrite=True")
+        way_out = "choose another name, or pass <overwrite=True>"
+        raise FileExistsError(Message("", "{path} exists", way_out, path=target))
 
 
 @contextmanager
