@@ -44,8 +44,8 @@ def linear_model_error(amplitude: ArrayLike, swings: float = 1.0) -> Array:
     if not swings > 0:
         raise ArgumentError("swings", "must be positive, got {value}", value=swings)
     linear, simple = LinearPendulum(), SimplePendulum()
-    until = swings * math.tau / simple.natural_frequency
-    t = np.linspace(0.0, until, math.ceil(_SAMPLES_A_PERIOD * swings) + 1)
+    t_max = swings * math.tau / simple.natural_frequency
+    t = np.linspace(0.0, t_max, math.ceil(_SAMPLES_A_PERIOD * swings) + 1)
     states = np.stack([theta0.ravel(), np.zeros(theta0.size)], axis=-1)
     apart = exact(linear, states, t).states[..., 0] - exact(simple, states, t).states[..., 0]
     largest: Array = np.abs(apart).max(axis=-1).reshape(theta0.shape) / theta0
