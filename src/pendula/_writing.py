@@ -36,13 +36,13 @@ def refuse_existing(target: Path, *, overwrite: bool) -> None:
 def replacing(target: Path, *, overwrite: bool) -> Iterator[Path]:
     """A path beside `target` to write to; moved there at the end, removed on failure."""
     refuse_existing(target, overwrite=overwrite)
-    target = target.resolve()  # a link stays one, what it names is replaced
+    name, target = target, target.resolve()  # a link stays one, what it names is replaced
     unfinished = target.with_name(f".{target.stem}.{os.getpid()}.unfinished{target.suffix}")
     try:
         yield unfinished
         if target.exists() and target.is_dir() != unfinished.is_dir():
             kind = "folder" if target.is_dir() else "file"
-            raise FileExistsError(f"{target} exists and is a {kind}; choose another name")
+            raise FileExistsError(f"{name} exists and is a {kind}; choose another name")
         if target.is_dir():
             _swap(unfinished, target)
         else:
