@@ -16,7 +16,7 @@ l1 = { log_uniform = ["10 cm", "1 m"] }
 theta1 = { uniform = ["-180 deg", "180 deg"] }
 omega2 = { choice = ["0 rad/s", "1 rad/s"] }
 [run]
-until = "2 s"
+t_max = "2 s"
 every = "0.3 s"
 tolerance = 1e-10
 draws = 20

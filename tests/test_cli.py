@@ -16,7 +16,7 @@ import pendula
 from pendula import _engine
 from pendula.cli import app
 from pendula.cli.plots import curve
-from pendula.cli.solve import _times
+from pendula.cli.solve import _own_times
 from pendula.run._times import spaced
 
 if TYPE_CHECKING:
@@ -48,8 +48,8 @@ def test_the_catalogue_gives_the_options(entry: _engine.SystemEntry) -> None:
     state = {row.name for row in entry.components}
     forms = {form.name for form in entry.forms} if len(entry.forms) > 1 else set()
     options = options_of("solve", entry.name)
-    own = {"t0", "until", "method", "step", "tolerance", "every", "output", "force"}
-    own |= {"certify", "digits", "event"}
+    own = {"t0", "t-max", "method", "every", "output", "force", "event"}
+    own |= {row.name.replace("_", "-") for row in _engine.option_rows()}
     assert {name[2:] for name in options if name.startswith("--")} == rows | state | forms | own
     method = options["--method"].type
     assert isinstance(method, click.Choice)
@@ -60,6 +60,26 @@ def test_the_catalogue_gives_the_options(entry: _engine.SystemEntry) -> None:
         help = option.help or ""
         assert row.meaning in help
         assert row.standard is None or f"[default: {row.standard:g} {row.unit}]" in help
+
+
+@pytest.mark.parametrize("row", _engine.option_rows(), ids=lambda row: row.name)
+def test_the_core_gives_the_options_of_a_run(row: _engine.OptionRow) -> None:
+    option = options_of("solve", "simple")[f"--{row.name.replace('_', '-')}"]
+    assert isinstance(option, click.Option)
+    assert option.help == f"{row.meaning}, e.g. {row.example:.7g}{row.unit} [{row.otherwise}]"
+
+
+def test_the_old_name_of_the_end_is_taken(call: Call) -> None:
+    old, new = (call(f"solve simple --{name} 1s --every 500ms") for name in ("until", "t-max"))
+    assert old == new
+    assert old[0] == 0
+
+
+def test_a_limit_of_steps_is_an_option(call: Call) -> None:
+    code, printed, told = call("solve simple --t-max 1s --max-steps 3")
+    assert (code, printed) == (1, "")
+    assert told.endswith(" of 1 s: it took the 3 steps that were allowed\n")
+    assert call("solve simple --t-max 1s --max-steps 300")[0] == 0
 
 
 def test_the_table_of_methods_is_the_catalogue(call: Call) -> None:
@@ -113,7 +133,7 @@ def test_the_linear_period_does_not_depend_on_the_amplitude(call: Call) -> None:
 def test_a_saved_run_is_the_run(call: Call) -> None:
     line = (
         "solve double --bobs --m1 2kg --l2 50cm --theta1 1rad --theta2 -10deg --omega2 -1 "
-        "--method heun --step 10ms --until 2s -o run.csv"
+        "--method heun --step 10ms --t-max 2s -o run.csv"
     )
     code, printed, told = call(line)
     assert (code, told) == (0, "")
@@ -136,14 +156,14 @@ def test_force_replaces_a_file(call: Call) -> None:
 
 
 def test_every_spaces_the_outputs(call: Call) -> None:
-    call("solve simple --method rk4 --step 1ms --t0 1s --until 2.05s --every 100ms -o run.csv")
+    call("solve simple --method rk4 --step 1ms --t0 1s --t-max 2.05s --every 100ms -o run.csv")
     read = pendula.load("run.csv")
     assert read.t == pytest.approx([*(1.0 + 0.1 * n for n in range(11)), 2.05], abs=1e-15)
     assert read.t[-1] == 2.05
 
 
 @pytest.mark.parametrize(
-    ("t0", "until", "every", "times"),
+    ("t0", "t_max", "every", "times"),
     [
         (0.0, 0.4, 0.1, [0.0, 0.1, 0.2, 0.3, 0.4]),  # 3 × 0.1 would be 0.30000000000000004
         (0.1, 0.3, 0.1, [0.1, 0.2, 0.3]),
@@ -154,20 +174,20 @@ def test_every_spaces_the_outputs(call: Call) -> None:
     ],
 )
 def test_outputs_lie_on_decimal_times(
-    t0: float, until: float, every: float, times: list[float]
+    t0: float, t_max: float, every: float, times: list[float]
 ) -> None:
-    assert spaced(t0, until, every).tolist() == times
+    assert spaced(t0, t_max, every).tolist() == times
 
 
 def test_a_printed_run_keeps_every_so_many_steps() -> None:
-    times = np.asarray(_times(0.0, 20.0, 1e-4, None, thin=True))
+    times = np.asarray(_own_times(0.0, 20.0, 1e-4, thin=True))
     assert len(times) == 20_001
     assert times[1] == 1e-3
-    assert _times(0.0, 20.0, 1e-4, None, thin=False) == 20.0
+    assert _own_times(0.0, 20.0, 1e-4, thin=False) == 20.0
 
 
 def test_a_printed_run_is_short(call: Call) -> None:
-    code, printed, told = call("solve double --method rk4 --step 100us --until 20s")
+    code, printed, told = call("solve double --method rk4 --step 100us --t-max 20s")
     assert (code, told) == (0, "")
     lines = printed.splitlines()
     assert len(lines) <= 40
@@ -179,7 +199,7 @@ def test_a_printed_run_is_short(call: Call) -> None:
 
 def test_a_printed_run_has_the_numbers_of_the_interface(call: Call) -> None:
     _, printed, _ = call(
-        "solve simple --length 50cm --theta 1rad --method rk4 --step 10ms --until 1s"
+        "solve simple --length 50cm --theta 1rad --method rk4 --step 10ms --t-max 1s"
     )
     last = [float(number) for number in printed.splitlines()[11].split()]
     run = pendula.solve(pendula.SimplePendulum(length=0.5), (1.0, 0.0), 1.0, "rk4", step=0.01)
@@ -199,7 +219,7 @@ def test_exact_prints_each_time_asked_for(call: Call) -> None:
 def test_bodies_take_their_own_parameters(call: Call) -> None:
     given = "--m1 1 --m2 1 --l1 1 --c1 50cm --c2 0.5 --I1 0.25 --I2 0"
     code, _, _ = call(
-        f"solve double --bodies {given} --method rk4 --step 10ms --until 1s -o run.csv"
+        f"solve double --bodies {given} --method rk4 --step 10ms --t-max 1s -o run.csv"
     )
     assert code == 0
     described = json.loads(Path("run.csv").read_text().splitlines()[0].partition(": ")[2])["system"]

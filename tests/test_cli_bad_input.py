@@ -13,16 +13,15 @@ import pytest
 
 from pendula._engine import methods
 from pendula.cli import main
-from pendula.cli.wording import one_line
 from pendula.io import files
 
 if TYPE_CHECKING:
     from pendula.run.trajectory import Trajectory
 
-SOLVE = "solve simple --method rk4 --step 1ms --until 1s"
-TAYLOR = "solve simple --until 1s"
-DOUBLE = "solve double --method rk4 --step 1ms --until 1s"
-BLOW_UP = "solve double --method euler --step 1s --until 1000s"
+SOLVE = "solve simple --method rk4 --step 1ms --t-max 1s"
+TAYLOR = "solve simple --t-max 1s"
+DOUBLE = "solve double --method rk4 --step 1ms --t-max 1s"
+BLOW_UP = "solve double --method euler --step 1s --t-max 1000s"
 EXISTING = "there.csv"
 
 
@@ -34,14 +33,19 @@ def _folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
 
 def told(arguments: list[str], code: int, capsys: pytest.CaptureFixture[str]) -> str:
     """The one line on stderr of a run that must fail and leave nothing behind."""
-    before = {path: path.read_text() for path in Path().iterdir()}
+    before = kept()
     assert main(arguments) == code
     printed = capsys.readouterr()
     assert printed.out == ""
     assert printed.err.count("\n") == 1
     assert printed.err.startswith("pendula: ")
-    assert {path: path.read_text() for path in Path().iterdir()} == before
+    assert kept() == before
     return printed.err
+
+
+def kept() -> dict[Path, str]:
+    """What is in the folder."""
+    return {path: path.read_text() if path.is_file() else "" for path in Path().iterdir()}
 
 
 @pytest.mark.parametrize(
@@ -66,20 +70,20 @@ def told(arguments: list[str], code: int, capsys: pytest.CaptureFixture[str]) ->
         (f"{SOLVE} --step 0", "--step must be positive [s], got 0.0"),
         (f"{SOLVE} --step -1ms", "--step must be positive [s], got -0.001"),
         (f"{SOLVE} --step 2s", "--step must not exceed the span of 1.0 s"),
-        (f"{SOLVE} --step 1e-300", "--step must be larger for a span of 1.0 s, got 1e-300 s"),
-        (f"{SOLVE} --step 1e-12 -o x.csv", "--step must give at most 100000000 outputs"),
-        (f"{SOLVE} --until 0", "--until must differ from --t0 = 0.0 s"),
+        (f"{SOLVE} --step 1e-300", "--step = 1e-300 s is too small for a span of 1.0 s: over 2^53"),
+        (f"{SOLVE} --step 1e-12 -o x.csv", "--step = 1e-12 s makes 1e+12 outputs up to 1 s; give"),
+        (f"{SOLVE} --t-max 0", "--t-max must differ from --t0 = 0.0 s"),
         (f"{SOLVE} --every 2s", "--every must not exceed the span of 1.0 s"),
         (f"{SOLVE} --every 0s", "--every must be positive [s], got 0.0"),
         (f"{SOLVE} --every 1e-12", "--every must give at most 100000000 outputs"),
         (f"{SOLVE} --method rk5", ", ".join(repr(each.name) for each in methods())),
         (
-            "solve simple --step 1ms --until 1s",
+            "solve simple --step 1ms --t-max 1s",
             "--step is not taken by the adaptive method 'taylor', got 0.001; leave it out",
         ),
         (
-            "solve simple --method rk4 --until 1s",
-            "--step is needed by the fixed-step method 'rk4'; give --step 1ms, say",
+            "solve simple --method rk4 --t-max 1s",
+            "--step is needed by the fixed-step method 'rk4'; give --step 0.001s, say",
         ),
         (f"{SOLVE} --tolerance 1e-9", "--tolerance is not taken by the fixed-step method 'rk4'"),
         (f"{TAYLOR} --tolerance 1e-20", "got 1e-20; for more digits than a double has, take --dig"),
@@ -90,9 +94,9 @@ def told(arguments: list[str], code: int, capsys: pytest.CaptureFixture[str]) ->
         (f"{TAYLOR} --certify 0", "--certify must be positive [rad], got 0.0"),
         (f"{TAYLOR} --digits 16", "--digits must be a whole number from 1 to 15, got 16"),
         (f"{TAYLOR} --digits nine", "Invalid value for '--digits': 'nine' is not a valid integer"),
-        (f"{DOUBLE} --method verlet", "method 'verlet' needs a system whose energy separates into"),
-        (f"{TAYLOR} --digits 9 --tolerance 1e-9", "--digits is not taken together with toleranc"),
-        (f"{SOLVE} --digits 9", "--digits is not taken together with the method 'rk4'"),
+        (f"{DOUBLE} --method verlet", "--method 'verlet' needs a system whose energy separates"),
+        (f"{TAYLOR} --digits 9 --tolerance 1e-9", "--digits is not taken together with --toler"),
+        (f"{SOLVE} --digits 9", "--digits is not taken together with --method rk4: it"),
         (f"{SOLVE} --event velocity-zero", "--event must be such as 'flip 1', 'angle 1 0deg risi"),
         (f"{TAYLOR} --event flap", "or 'tip-height 50cm falling end', got 'flap'"),
         (f"{SOLVE} -o no/such/x.csv", "cannot write no/such/x.csv"),
@@ -106,12 +110,12 @@ def told(arguments: list[str], code: int, capsys: pytest.CaptureFixture[str]) ->
         ("solve triple", "no system 'triple'; take one of linear, simple, double"),
         ("slove", "no command 'slove'; take one of solve, exact, period, methods, "),
         ("exact double --at 1s", "no system 'double'; take one of linear, simple"),
-        ("exact simple", "name the times with --at 1s,2s or with --until"),
-        ("exact simple --at 1s --until 2s", "name the times with --at 1s,2s or with --until"),
-        ("exact simple --at 1s --every 1s", "name the times with --at 1s,2s or with --until"),
+        ("exact simple", "name the times with --at 1s,2s or with --t-max"),
+        ("exact simple --at 1s --t-max 2s", "name the times with --at 1s,2s or with --t-max"),
+        ("exact simple --at 1s --every 1s", "name the times with --at 1s,2s or with --t-max"),
         ("exact simple --at 0,5", "or 0.5 for one value with a decimal point"),
         ("exact simple --at 1s --theta 1e16", "the start must "),
-        ("exact linear --at 1e80s", "the time must lie within 2^50 half periods of t0"),
+        ("exact linear --at 1e80s", "the time must lie within 2^50 half periods of --t0"),
         ("period simple", "give amplitudes with --amplitude 30deg,60deg, or a state with --theta"),
         ("period simple --amplitude 1rad --omega 1rad/s", "give amplitudes with --amplitude"),
         ("period simple --amplitude 30,60deg", "'30' in the list '30,60deg' has no unit"),
@@ -142,10 +146,9 @@ def test_an_existing_result_is_told_with_the_way_out(
 
 def test_force_is_offered_only_where_it_helps(capsys: pytest.CaptureFixture[str]) -> None:
     assert "--force" not in told(f"study --out {EXISTING} --force".split(), 2, capsys)
-    error = FileExistsError("step is a folder; choose another name")
-    assert one_line(error) == "step is a folder; choose another name"
-    error = FileExistsError("x.csv exists; choose another name, or pass overwrite=True")
-    assert one_line(error) == "x.csv exists; choose another name, or pass --force"
+    Path("folder.csv").mkdir()
+    printed = told(f"{SOLVE} -o folder.csv --force".split(), 2, capsys)
+    assert printed == "pendula: folder.csv exists and is a folder; choose another name\n"
 
 
 def test_a_bad_output_is_told_before_the_run(
@@ -199,7 +202,7 @@ def test_an_angle_beyond_the_sine_is_told(line: str, capsys: pytest.CaptureFixtu
 
 
 def test_a_linear_run_that_blows_up_has_no_sine(capsys: pytest.CaptureFixture[str]) -> None:
-    line = "solve linear --method euler --step 1000s --until 1e9s"
+    line = "solve linear --method euler --step 1000s --t-max 1e9s"
     assert "the numbers grew beyond all bounds" in told(line.split(), 1, capsys)
 
 

@@ -17,8 +17,8 @@ from pendula import SimplePendulum, exact, methods, solve
 if TYPE_CHECKING:
     from commands import Call
 
-QUICK = "compare simple --length 50cm --theta 150deg --until 2s --points 4"
-DOUBLE = "compare double --theta1 120deg --theta2 -10deg --until 1s --points 3"
+QUICK = "compare simple --length 50cm --theta 150deg --t-max 2s --points 4"
+DOUBLE = "compare double --theta1 120deg --theta2 -10deg --t-max 1s --points 3"
 
 
 def test_a_row_for_each_method_that_takes_the_system(call: Call) -> None:
@@ -97,20 +97,20 @@ def test_force_replaces_both_files(call: Call) -> None:
     [
         ("compare", "name a system: linear, simple, double"),
         ("compare triple", "no system 'triple'"),
-        ("compare simple", "Missing option '--until'"),
+        ("compare simple", "Missing option '--t-max'"),
         (f"{QUICK} --methods rk5", "--methods must be one of euler"),
-        (f"{DOUBLE} --methods verlet", "method 'verlet' needs a system"),
+        (f"{DOUBLE} --methods verlet", "--methods 'verlet' needs a system"),
         (f"{QUICK} --methods ,", "--methods must be one of"),
         (f"{QUICK} --points 1", "--points must be at least 2, got 1"),
         (f"{QUICK} --points 1000", "--points must be a whole number from 1 to 100"),
         (f"{QUICK} --points x", "'x' is not a valid integer"),
-        (f"{QUICK} --t0 2s", "--until must differ from --t0"),
-        ("compare simple --until 1e9s", "--until must differ from t0, by at most 100000 of"),
+        (f"{QUICK} --t0 2s", "--t-max must differ from --t0"),
+        ("compare simple --t-max 1e9s", "--t-max must differ from --t0, by at most 100000 of"),
         (f"{QUICK} -o work.xls", "the file name must end in .csv or .json, got 'work.xls'"),
         (f"{QUICK} --picture work.gif", "--picture must end in one of .png, .svg, .pdf"),
         (f"{QUICK} -o no/work.csv", "cannot write no/work.csv"),
         (f"{QUICK} --picture no/work.png", "cannot write no/work.png"),
-        ("compare simple --length 0,5m --until 1s", "write 0.5m"),
+        ("compare simple --length 0,5m --t-max 1s", "write 0.5m"),
     ],
 )
 def test_wrong_use_is_one_line(call: Call, line: str, told: str) -> None:
@@ -140,7 +140,7 @@ def test_a_disk_that_is_full_leaves_nothing(call: Call, monkeypatch: pytest.Monk
     assert list(Path().iterdir()) == []
 
 
-@pytest.mark.parametrize("line", ["compare double --until 2000s", "compare simple --until 90000s"])
+@pytest.mark.parametrize("line", ["compare double --t-max 2000s", "compare simple --t-max 90000s"])
 def test_ctrl_c_ends_it_without_a_file(line: str, tmp_path: Path) -> None:
     code, printed, told = interrupted(tmp_path, f"{line} -o x.csv --points 100", when=1.5)
     assert (code, printed) == (130, "")

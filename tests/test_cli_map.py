@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 RODS = DoublePendulum.rods()
 PI = math.pi
-FLIP = "map flip double --size 10x12 --until 5s"
+FLIP = "map flip double --size 10x12 --t-max 5s"
 
 
 # ---- the same as in Python ----
@@ -41,7 +41,7 @@ def test_the_file_holds_the_map(call: Call, ending: str) -> None:
 def test_every_option_of_a_flip_map(call: Call) -> None:
     line = (
         "map flip double --bobs --m2 300g --l1 50cm --theta1=1:2 --theta2 -1pi:90deg --size 5 "
-        "--until 0.1min --which 2 --tolerance 1e-6 --no-resolve --threads 2 -o flips.zarr"
+        "--t-max 0.1min --which 2 --tolerance 1e-6 --no-resolve --threads 2 -o flips.zarr"
     )
     assert call(line)[0] == 0
     system = DoublePendulum.bobs(m2=0.3, l1=0.5)
@@ -52,7 +52,7 @@ def test_every_option_of_a_flip_map(call: Call) -> None:
 
 def test_every_option_of_a_divergence_map(call: Call) -> None:
     line = (
-        "map divergence double --theta1=0:90deg --theta2=-1rad:1rad --size 4x3 --until 2s "
+        "map divergence double --theta1=0:90deg --theta2=-1rad:1rad --size 4x3 --t-max 2s "
         "--separation 1e-6deg --tolerance 1e-9 -o growth.nc"
     )
     code, printed, _ = call(line)
@@ -80,14 +80,14 @@ def test_the_summary_counts_the_cells(call: Call) -> None:
     first = float(data.flip_time.min())
     assert printed == f"10 x 12 cells; {', '.join(shares)}; earliest flip after {first:.6g} s\n"
     assert list(Path().iterdir()) == []
-    _, printed, _ = call("map flip double --theta1=-9deg:9deg --size 3x9 --until 1s --no-resolve")
+    _, printed, _ = call("map flip double --theta1=-9deg:9deg --size 3x9 --t-max 1s --no-resolve")
     assert printed == "3 x 9 cells; 0.0% flipped, 100.0% forbidden, 0.0% neither until 1 s\n"
 
 
 @pytest.mark.parametrize("kind", ["flip", "divergence"])
 @pytest.mark.parametrize(("ending", "start"), [("png", b"\x89PNG"), ("svg", b"<?xml")])
 def test_the_picture(call: Call, kind: str, ending: str, start: bytes) -> None:
-    code, printed, _ = call(f"map {kind} double --size 9 --until 2s --picture m.{ending} --lang es")
+    code, printed, _ = call(f"map {kind} double --size 9 --t-max 2s --picture m.{ending} --lang es")
     assert code == 0
     assert printed.splitlines()[1] == f"m.{ending}"
     assert Path(f"m.{ending}").read_bytes().startswith(start)
@@ -107,12 +107,12 @@ def test_a_store_is_gone_on_with_or_begun_anew_only_when_told(call: Call) -> Non
     assert not times.exists()
     assert call(f"{FLIP} -o flips.zarr --resume")[0] == 0
     assert times.read_bytes() == before
-    code, _, told = call("map flip double --size 10x12 --until 6s -o flips.zarr --resume")
+    code, _, told = call("map flip double --size 10x12 --t-max 6s -o flips.zarr --resume")
     assert code == 2
     assert "holds another computation: t_max is 5.0 there and 6.0 here" in told
-    assert call("map flip double --size 10x12 --until 6s -o flips.zarr --force")[0] == 0
+    assert call("map flip double --size 10x12 --t-max 6s -o flips.zarr --force")[0] == 0
     assert json.loads(chunks.opened("flips.zarr").pendula)["t_max"] == 6.0
-    assert call("map flip double --size 8 --until 6s -o new.zarr --resume")[0] == 0  # none is there
+    assert call("map flip double --size 8 --t-max 6s -o new.zarr --resume")[0] == 0  # none is there
 
 
 @pytest.mark.parametrize("name", ["-o old.nc", "--picture old.png"])
@@ -142,8 +142,8 @@ def test_a_picture_in_the_way_of_going_on(call: Call) -> None:
         ("map", "name a map: flip, divergence"),
         ("map heat", "no map 'heat'; take one of flip, divergence"),
         ("map flip", "name a system: double"),
-        ("map flip simple --until 1s", "no system 'simple'; take one of double"),
-        ("map flip double", "Missing option '--until'"),
+        ("map flip simple --t-max 1s", "no system 'simple'; take one of double"),
+        ("map flip double", "Missing option '--t-max'"),
         (f"{FLIP} --size 0", "--size must be a whole number from 1 to 1000000, got 0"),
         (f"{FLIP} --size 3x4x5", "--size must be cells such as 500x500, or 500 for a square"),
         (f"{FLIP} --size many", "--size must be cells such as 500x500"),
@@ -152,8 +152,8 @@ def test_a_picture_in_the_way_of_going_on(call: Call) -> None:
         (f"{FLIP} --theta1 -90:90deg", "--theta1 needs the unit at both ends"),
         (f"{FLIP} --theta2 2:1", "--theta2 must be a range (lo, hi) with lo < hi [rad]"),
         (f"{FLIP} --theta2 1s:2s", "--theta2"),
-        (f"{FLIP} --until 0s", "--until must be positive [s], got 0.0"),
-        (f"{FLIP} --until soon", "--until"),
+        (f"{FLIP} --t-max 0s", "--t-max must be positive [s], got 0.0"),
+        (f"{FLIP} --t-max soon", "--t-max"),
         (f"{FLIP} --which 3", "--which must be rod 1 or 2"),
         (
             f"{FLIP} --tolerance 1e-14",
@@ -171,8 +171,8 @@ def test_a_picture_in_the_way_of_going_on(call: Call) -> None:
         (f"{FLIP} --resume", "--resume needs a .zarr store"),
         (f"{FLIP} --resume -o flips.nc", "--resume needs a .zarr store"),
         (f"{FLIP} --resume --force -o flips.zarr", "--resume and --force exclude one another"),
-        ("map divergence double --until 1s --separation 1deg", "--separation must lie between"),
-        ("map divergence double --until 1s --which 1", "No such option"),
+        ("map divergence double --t-max 1s --separation 1deg", "--separation must lie between"),
+        ("map divergence double --t-max 1s --which 1", "No such option"),
     ],
 )
 def test_wrong_use_is_one_line(call: Call, line: str, told: str) -> None:
@@ -223,7 +223,7 @@ sys.exit(main(sys.argv[1:]))
 
 @pytest.mark.parametrize("output", ["-o flips.zarr", "-o flips.nc", "--picture flips.png"])
 def test_ctrl_c_tells_how_to_go_on(output: str, tmp_path: Path) -> None:
-    line = f"map flip double --size 4000 --until 100s --threads 1 {output}"
+    line = f"map flip double --size 4000 --t-max 100s --threads 1 {output}"
     first = tmp_path / "flips.zarr" / "resolved"
     when = (lambda: len(list(first.glob("c.*"))) > 3) if "zarr" in output else 0.0
     code, printed, told = interrupted(tmp_path, line, when, MAP_THAT_TELLS)

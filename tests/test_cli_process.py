@@ -50,10 +50,10 @@ def test_methods_and_errors_load_no_numpy() -> None:
 @pytest.mark.parametrize(
     "line",
     [
-        "solve double --method rk4 --step 1e-8 --until 1000s --every 1s -o x.csv",
-        "solve double --until 1e12s --every 1e11s -o x.csv",
-        "solve simple --until 1e6s --every 1e6s --certify 1 -o x.csv",
-        "solve double --until 500s --every 500s --digits 12 -o x.csv",
+        "solve double --method rk4 --step 1e-8 --t-max 1000s --every 1s -o x.csv",
+        "solve double --t-max 1e12s --every 1e11s -o x.csv",
+        "solve simple --t-max 1e6s --every 1e6s --certify 1 -o x.csv",
+        "solve double --t-max 500s --every 500s --digits 12 -o x.csv",
     ],
 )
 def test_ctrl_c_ends_a_long_run_without_a_file(line: str, tmp_path: Path) -> None:
@@ -63,7 +63,7 @@ def test_ctrl_c_ends_a_long_run_without_a_file(line: str, tmp_path: Path) -> Non
     assert list(tmp_path.iterdir()) == []
 
 
-@pytest.mark.parametrize("line", ["methods", "--help", "exact simple --until 1s"])
+@pytest.mark.parametrize("line", ["methods", "--help", "exact simple --t-max 1s"])
 def test_a_closed_pipe_is_no_error(line: str) -> None:
     reading, writing = os.pipe()
     os.close(reading)
@@ -86,7 +86,7 @@ def test_a_full_disk_below_stdout_is_told_in_one_line() -> None:
 @pytest.mark.parametrize(("encoding", "drawn"), [("utf-8", True), ("latin-1", False)])
 def test_a_curve_is_drawn_where_it_can_be_printed(encoding: str, drawn: bool) -> None:
     process = subprocess.run(
-        [*COMMAND, *["exact", "simple", "--until", "1s"]],
+        [*COMMAND, *["exact", "simple", "--t-max", "1s"]],
         env={**os.environ, "PYTHONIOENCODING": encoding},
         capture_output=True,
         check=True,
@@ -99,13 +99,13 @@ def test_a_curve_is_drawn_where_it_can_be_printed(encoding: str, drawn: bool) ->
 @pytest.mark.parametrize(
     ("line", "closed", "code"),
     [
-        ("solve simple --until 1s --event 'flip 1'", ">&-", 0),
+        ("solve simple --t-max 1s --event 'flip 1'", ">&-", 0),
         ("--help", ">&-", 0),
         ("solve simple --lenght 1", ">&- 2>&-", 2),
         ("solve simple --lenght 1", "2>&-", 2),
-        ("solve simple --until 1s --step 1ms --method rk4 -o x.csv", ">&- 2>&-", 0),
-        ("solve simple --until 12s --step 1us --every 1s --method rk4 -o x.csv", "2>&-", 0),
-        ("solve simple --until 12s --every 1s --certify 1e-9 -o x.csv", "2>&-", 0),
+        ("solve simple --t-max 1s --step 1ms --method rk4 -o x.csv", ">&- 2>&-", 0),
+        ("solve simple --t-max 12s --step 1us --every 1s --method rk4 -o x.csv", "2>&-", 0),
+        ("solve simple --t-max 12s --every 1s --certify 1e-9 -o x.csv", "2>&-", 0),
     ],
 )
 def test_a_closed_stream_is_no_error(line: str, closed: str, code: int, tmp_path: Path) -> None:
@@ -120,7 +120,7 @@ def test_a_closed_stream_is_no_error(line: str, closed: str, code: int, tmp_path
 @pytest.mark.parametrize(("columns", "width"), [("40", 40), ("200", 79), ("5", 30)])
 def test_curves_fit_the_terminal(columns: str, width: int) -> None:
     process = subprocess.run(
-        [*COMMAND, *["exact", "simple", "--until", "1s"]],
+        [*COMMAND, *["exact", "simple", "--t-max", "1s"]],
         env={**os.environ, "COLUMNS": columns, "PYTHONIOENCODING": "utf-8"},
         capture_output=True,
         check=True,
@@ -130,6 +130,6 @@ def test_curves_fit_the_terminal(columns: str, width: int) -> None:
 
 
 def test_numbers_beyond_all_bounds_bring_no_warnings() -> None:
-    line = "solve linear --theta 1e300 --until 1s --step 1ms --method rk4"
+    line = "solve linear --theta 1e300 --t-max 1s --step 1ms --method rk4"
     process = subprocess.run([*COMMAND, *line.split()], capture_output=True, check=True)
     assert process.stderr == b""

@@ -7,6 +7,7 @@ import math
 import re
 import shlex
 import sys
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -45,7 +46,7 @@ def call(
 
 
 def test_no_method_is_taylor_at_its_best(call: Call) -> None:
-    (line,) = call("solve double --until 5s -o run.csv")
+    (line,) = call("solve double --t-max 5s -o run.csv")
     run = pendula.solve(RODS, START, 5.0)
     read = pendula.load("run.csv")
     assert read.states.tobytes() == run.states.tobytes()
@@ -56,7 +57,7 @@ def test_no_method_is_taylor_at_its_best(call: Call) -> None:
 
 
 def test_every_spaces_the_outputs_of_any_method(call: Call) -> None:
-    line = call("solve double --until 1s --every 250ms --tolerance 1e-9 -o run.csv")[0]
+    line = call("solve double --t-max 1s --every 250ms --tolerance 1e-9 -o run.csv")[0]
     read = pendula.load("run.csv")
     assert read.t.tolist() == [0.0, 0.25, 0.5, 0.75, 1.0]
     assert read.request.tolerance == 1e-9
@@ -65,7 +66,7 @@ def test_every_spaces_the_outputs_of_any_method(call: Call) -> None:
 
 def test_events_are_a_table_below_the_run(call: Call) -> None:
     lines = call(
-        'solve double --until 7s --every 1s --event "flip 2 rising" --event "angle 1 20deg" '
+        'solve double --t-max 7s --every 1s --event "flip 2 rising" --event "angle 1 20deg" '
         '--event "tip-height 5 m"'
     )
     asked = flip(2, 1), angle(1, math.radians(20)), tip_height(5.0)
@@ -83,14 +84,14 @@ def test_events_are_a_table_below_the_run(call: Call) -> None:
 
 
 def test_many_events_are_shortened_as_a_run_is(call: Call) -> None:
-    lines = call("solve simple --until 100s --every 100s --event 'velocity-zero 1'")
+    lines = call("solve simple --t-max 100s --every 100s --event 'velocity-zero 1'")
     rows = lines[lines.index("") + 2 :]
     assert len(rows) == 11
     assert rows[0].split()[2] == "1"
 
 
 def test_an_event_may_end_the_run(call: Call) -> None:
-    lines = call("solve double --until 10s --event 'flip 2 end 2' -o run.csv")
+    lines = call("solve double --t-max 10s --event 'flip 2 end 2' -o run.csv")
     run = pendula.load("run.csv")
     assert "taylor, tolerance 2.22e-16: " in lines[0]
     assert ", event, largest relative energy error" in lines[0]
@@ -120,7 +121,7 @@ def test_an_event_is_read_and_told_in_words(words: str, event: Any) -> None:
 
 @pytest.mark.parametrize("given", ["1e-9", "1e-9rad", "'1e-9 rad'"])
 def test_certify_says_until_when(given: str, call: Call) -> None:
-    lines = call(f"solve double --until 60s --every 20s --certify {given} -o run.csv")
+    lines = call(f"solve double --t-max 60s --every 20s --certify {given} -o run.csv")
     assert lines[0].startswith("run.csv: 4 times; taylor")
     until = re.fullmatch(r"accurate to 1e-09 rad until ([\d.]+) s", lines[1])
     assert until is not None
@@ -130,7 +131,7 @@ def test_certify_says_until_when(given: str, call: Call) -> None:
 
 
 def test_certify_says_throughout(call: Call) -> None:
-    lines = call("solve simple --until 5s --method rk4 --step 1ms --certify 1urad -o run.csv")
+    lines = call("solve simple --t-max 5s --method rk4 --step 1ms --certify 1urad -o run.csv")
     assert lines[1] == "accurate to 1e-06 rad throughout"
     assert pendula.load("run.csv").trust_horizon == math.inf
     recipe = Path("run.csv").read_text().splitlines()[0].partition(": ")[2]
@@ -138,7 +139,7 @@ def test_certify_says_throughout(call: Call) -> None:
 
 
 def test_digits_say_what_they_took(call: Call) -> None:
-    lines = call("solve double --until 2s --every 1s --digits 12 -o run.csv")
+    lines = call("solve double --t-max 2s --every 1s --digits 12 -o run.csv")
     read = pendula.load("run.csv")
     assert read.precision is not None
     assert lines[0].startswith(
@@ -152,7 +153,7 @@ def test_digits_say_what_they_took(call: Call) -> None:
 
 # ---- wrong use ----
 
-SHORT = ("solve", "simple", "--until", "1s")
+SHORT = ("solve", "simple", "--t-max", "1s")
 
 
 def told(capsys: pytest.CaptureFixture[str]) -> str:
@@ -206,8 +207,13 @@ def test_events_need_a_method_that_has_them(capsys: pytest.CaptureFixture[str]) 
 def test_own_steps_that_are_too_many_are_told_with_the_way_out(
     capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("pendula.run.trajectory.MOST_OWN_STEPS", 20)
-    assert main(["solve", "double", "--until", "1e12s"]) == 1
+    def limited(*given: Any, **options: Any) -> Any:
+        run = solve(*given, **options, max_steps=20)
+        return replace(run, request=replace(run.request, max_steps=None))
+
+    solve = pendula.solve
+    monkeypatch.setattr("pendula.run.solve.solve", limited)  # else it takes ten million
+    assert main(["solve", "double", "--t-max", "1e12s"]) == 1
     printed = told(capsys)
     assert "taylor stopped after t = " in printed
     assert "set the time between outputs with --every" in printed

@@ -27,7 +27,7 @@ kind = "double"
 [state]
 theta1 = { uniform = ["-180 deg", "180 deg"] }
 [run]
-until = "2 s"
+t_max = "2 s"
 every = "0.5 s"
 tolerance = 1e-10
 draws = 30
@@ -230,7 +230,7 @@ def test_a_slow_rate_keeps_its_digits(
 # ---- Ctrl-C ----
 
 LONG = RECIPE.replace("draws = 30\nchunk = 10", "draws = 20000\nchunk = 500")
-LONG = LONG.replace('until = "2 s"', 'until = "20 s"')
+LONG = LONG.replace('t_max = "2 s"', 't_max = "20 s"')
 
 
 def test_ctrl_c_tells_how_to_go_on_and_it_ends_in_the_same_bytes(

@@ -29,7 +29,7 @@ theta = { grid = ["-90 deg", "90 deg", 5] }
 [run]
 method = "verlet"
 step = "10 ms"
-until = "1 s"
+t_max = "1 s"
 every = "0.25 s"
 chunk = 4
 """
@@ -39,7 +39,7 @@ kind = "linear"
 gravity = { uniform = ["1 m/s^2", "10 m/s^2"] }
 [run]
 method = "dop853"
-until = "3 s"
+t_max = "3 s"
 draws = 5
 """
 BODIES = """
@@ -54,7 +54,7 @@ c2 = "0.4 m"
 I1 = "0.1 kg m^2"
 I2 = "0.1 kg m^2"
 [run]
-until = "1 s"
+t_max = "1 s"
 every = "0.5 s"
 certify = 1e-9
 draws = 3
@@ -75,7 +75,7 @@ def test_each_row_is_what_solve_gives_alone(tmp_path: Path, text: str) -> None:
         values = {name: float(found[name][row]) for name in asked.parameters}
         system = system_from({"name": asked.system, "form": asked.form, "parameters": values})
         start = [float(found[f"{name}_start"][row]) for name in asked.components]
-        times = asked.times if asked.every else asked.until
+        times = asked.times if asked.every else asked.t_max
         run = solve(system, start, times, asked.method, **asked.options)
         last = slice(None) if asked.every else slice(-1, None)
         states = states_of(found, asked.components, row)
@@ -83,7 +83,7 @@ def test_each_row_is_what_solve_gives_alone(tmp_path: Path, text: str) -> None:
         assert found["energy"].values[row].tobytes() == run.energy[last].tobytes()
         assert ENDS[int(found["outcome"][row])] == run.outcome
         assert int(found["n_steps"][row]) == run.n_steps
-        assert float(found["reached"][row]) == asked.until
+        assert float(found["reached"][row]) == asked.t_max
         if asked.certify is not None:
             assert float(found["trust_horizon"][row]) == run.trust_horizon
 
@@ -134,7 +134,7 @@ def test_the_outcomes_are_the_cores() -> None:
 def test_one_bad_row_does_not_spoil_the_others(tmp_path: Path) -> None:
     good = '[state]\ntheta = { list = ["10 deg", "20 deg"] }\n'
     bad = good.replace('"20 deg"', '"1e9 rad", "20 deg"')
-    run = '[run]\nuntil = "2 s"\nevery = "1 s"\n'
+    run = '[run]\nt_max = "2 s"\nevery = "1 s"\n'
     kind = '[system]\nkind = "simple"\n'
     found = sweep(recipe(tmp_path, kind + bad + run))
     assert [ENDS[i] for i in found["outcome"].values] == [

@@ -29,7 +29,7 @@ theta2 = "-10 deg"
 omega1 = { choice = ["0 rad/s", "1 rad/s"] }
 [run]
 method = "taylor"
-until = "30 s"
+t_max = "30 s"
 every = "0.1 s"
 tolerance = 1e-10
 certify = 1e-6
@@ -37,7 +37,7 @@ draws = 100000
 seed = 1
 chunk = 500
 """
-RUN = '\n[run]\nuntil = "1 s"\n'
+RUN = '\n[run]\nt_max = "1 s"\n'
 
 
 def _read(tmp_path: Path, text: str | bytes) -> SweepRecipe:
@@ -62,7 +62,7 @@ def test_a_random_set(tmp_path: Path) -> None:
     }
     assert (recipe.sampler.count, recipe.sampler.seed, recipe.chunk) == (100_000, 1, 500)
     options = {"step": None, "tolerance": 1e-10, "max_steps": None, "certify": 1e-6}
-    assert recipe.options == options
+    assert recipe.options == {**options, "digits": None, "events": ()}
     assert recipe.times.shape == (301,)
     assert (recipe.times[0], recipe.times[7], recipe.times[-1]) == (0.0, 0.7, 30.0)
 
@@ -94,7 +94,7 @@ def test_a_grid_with_draws_at_each_point(tmp_path: Path) -> None:
     text = (
         '[system]\nkind = "simple"\nlength = { list = ["1 m", "2 m", "50 cm"] }\n'
         '[state]\ntheta = { grid = ["-90 deg", "90 deg", 5] }\nomega = { uniform = '
-        '["-1 rad/s", "1 rad/s"] }\n[run]\nmethod = "rk4"\nstep = "10 ms"\nuntil = "2 s"\n'
+        '["-1 rad/s", "1 rad/s"] }\n[run]\nmethod = "rk4"\nstep = "10 ms"\nt_max = "2 s"\n'
         "draws = 4\n"
     )
     recipe = _read(tmp_path, text)
@@ -129,7 +129,7 @@ BODIES = (
     'c1 = "0.5 m"\n'
     'c2 = { uniform = ["0.2 m", "0.4 m"] }\nI1 = "0.1 kg m^2"\nI2 = "0.1 kg m^2"\n'
 )
-DRAWS = '[run]\nuntil = "1 s"\ndraws = 3\n'
+DRAWS = '[run]\nt_max = "1 s"\ndraws = 3\n'
 
 
 def test_one_parameter_follows_another(tmp_path: Path) -> None:
@@ -160,6 +160,15 @@ def test_a_recipe_is_known_by_its_numbers(tmp_path: Path) -> None:
     assert pickle.loads(pickle.dumps(recipe)) == recipe
 
 
+def test_the_old_name_of_the_end_is_read(tmp_path: Path) -> None:
+    old = RANDOM.replace("t_max", "until")
+    assert _read(tmp_path, old) == _read(tmp_path, RANDOM)
+    with pytest.raises(ValueError, match=r"line 15: run\.t_max must be positive"):
+        _read(tmp_path, old.replace('"30 s"', '"-30 s"'))
+    with pytest.raises(ValueError, match="unknown key 'until'"):
+        _read(tmp_path, RANDOM.replace("[run]", '[run]\nuntil = "1 s"'))
+
+
 def test_an_angle_to_be_certain_of_may_have_a_unit(tmp_path: Path) -> None:
     recipe = _read(tmp_path, RANDOM.replace("certify = 1e-6", 'certify = "1 mrad"'))
     assert recipe.certify == 1e-3
@@ -170,7 +179,7 @@ def test_a_column_may_be_a_table_of_its_own(tmp_path: Path) -> None:
     assert _read(tmp_path, text).sampler.count == 2
 
 
-def _double(system: str = "", state: str = "", run: str = 'until = "1 s"') -> str:
+def _double(system: str = "", state: str = "", run: str = 't_max = "1 s"') -> str:
     return f'[system]\nkind = "double"\n{system}\n[state]\n{state}\n[run]\n{run}\n'
 
 
@@ -191,7 +200,7 @@ def _double(system: str = "", state: str = "", run: str = 'until = "1 s"') -> st
             5,
             "unknown key 'theta' in [state]; did you mean 'theta",
         ),
-        (_double(run='untill = "1 s"'), 7, "unknown key 'untill' in [run]; did you mean 'until'?"),
+        (_double(run='t_mex = "1 s"'), 7, "unknown key 't_mex' in [run]; did you mean 't_max'?"),
         (_double('form = "bobs"\nc1 = "1 m"'), 4, "unknown key 'c1' in [system]"),
         (_double('form = "bodies"'), 3, "system.m1 is needed by the form 'bodies'; write m1 = "),
         (_double("l1 = 1"), 3, "system.l1 needs a quantity with its unit, in quotes, or a table"),
@@ -231,47 +240,51 @@ def _double(system: str = "", state: str = "", run: str = 'until = "1 s"') -> st
             3,
             "system.l1 cannot be the same as another",
         ),
-        (_double('l1 = "1e300 m"'), 3, "'l1': 1e+300"),
-        (_double('l1 = { grid = ["1 m", "1e300 m", 2] }'), 3, "'l1': 1e+300"),
-        (_double(run=""), 6, 'run.until is needed, the end of each run; write until = "30 s"'),
-        (_double(run="until = 1"), 7, "run.until needs a quantity with its unit, in quotes, got 1"),
-        (_double(run='until = "-1 s"'), 7, 'run.until must be positive, got "-1 s"'),
-        (_double(run='until = "1 s"\nevery = "2 s"'), 8, "run.every must not exceed run.until = 1"),
-        (_double(run='method = "rk5"\nuntil = "1 s"'), 7, "method must be one of euler, heun"),
-        (_double(run='method = "verlet"\nuntil = "1 s"'), 7, "method 'verlet' needs a system"),
+        (_double('l1 = "1e300 m"'), 3, "parameters cannot be computed with: their constant A is"),
         (
-            _double(run='until = "1 s"\nmethod = "rk4"'),
+            _double('l1 = { grid = ["1 m", "1e300 m", 2] }'),
+            3,
+            "parameters cannot be computed with: their constant A is",
+        ),
+        (_double(run=""), 6, 'run.t_max is needed, the end of each run; write t_max = "30 s"'),
+        (_double(run="t_max = 1"), 7, "run.t_max needs a quantity with its unit, in quotes, got 1"),
+        (_double(run='t_max = "-1 s"'), 7, 'run.t_max must be positive, got "-1 s"'),
+        (_double(run='t_max = "1 s"\nevery = "2 s"'), 8, "run.every must not exceed run.t_max = 1"),
+        (_double(run='method = "rk5"\nt_max = "1 s"'), 7, "method must be one of euler, heun"),
+        (_double(run='method = "verlet"\nt_max = "1 s"'), 7, "method 'verlet' needs a system"),
+        (
+            _double(run='t_max = "1 s"\nmethod = "rk4"'),
             8,
-            "run.step is needed by the fixed-step method 'rk4'; write step = \"1 ms\", say",
+            "run.step is needed by the fixed-step method 'rk4'; give step = \"0.001 s\", say",
         ),
         (
-            _double(run='until = "1 s"\nmethod = "rk4"\nstep = "1 ms"\ntolerance = 1e-9'),
+            _double(run='t_max = "1 s"\nmethod = "rk4"\nstep = "1 ms"\ntolerance = 1e-9'),
             10,
             "tolerance is not taken by the fixed-step method 'rk4'",
         ),
-        (_double(run='until = "1 s"\nstep = "1 ms"'), 8, "step is not taken by the adaptive"),
-        (_double(run='until = "1 s"\ntolerance = 1.0'), 8, "tolerance must lie between"),
-        (_double(run='until = "1 s"\ntolerance = "tight"'), 8, "tolerance must be a number"),
-        (_double(run='until = "1e300 s"'), 7, "run.until must be small enough to tell times apart"),
-        (_double(run='until = "1 s"\ncertify = 2'), 8, "certify must be an angle of at most 1 rad"),
-        (_double(run='until = "1 s"\ncertify = "1 s"'), 8, "run.certify must be in rad"),
-        (_double(run='until = "1 s"\nmax_steps = 0'), 8, "run.max_steps must be a whole number"),
-        (_double(run='until = "1 s"\nchunk = 0'), 8, "run.chunk must be a whole number from 1"),
-        (_double(run='until = "1 s"\nseed = -1'), 8, "run.seed must be a whole number from 0"),
-        (_double(run='until = "1 s"\nseed = 1.0'), 8, "run.seed must be a whole number from 0"),
-        (_double(run='until = "1 s"\ndraws = 5'), 8, "draws must be 1 where nothing is random"),
+        (_double(run='t_max = "1 s"\nstep = "1 ms"'), 8, "step is not taken by the adaptive"),
+        (_double(run='t_max = "1 s"\ntolerance = 1.0'), 8, "tolerance must lie between"),
+        (_double(run='t_max = "1 s"\ntolerance = "tight"'), 8, "tolerance must be a number"),
+        (_double(run='t_max = "1e300 s"'), 7, "run.t_max must be small enough to tell times apart"),
+        (_double(run='t_max = "1 s"\ncertify = 2'), 8, "certify must be an angle of at most 1 rad"),
+        (_double(run='t_max = "1 s"\ncertify = "1 s"'), 8, "run.certify must be in rad"),
+        (_double(run='t_max = "1 s"\nmax_steps = 0'), 8, "run.max_steps must be a whole number"),
+        (_double(run='t_max = "1 s"\nchunk = 0'), 8, "run.chunk must be a whole number from 1"),
+        (_double(run='t_max = "1 s"\nseed = -1'), 8, "run.seed must be a whole number from 0"),
+        (_double(run='t_max = "1 s"\nseed = 1.0'), 8, "run.seed must be a whole number from 0"),
+        (_double(run='t_max = "1 s"\ndraws = 5'), 8, "draws must be 1 where nothing is random"),
         (
             _double('l1 = { uniform = ["1 m", "2 m"] }'),
             6,
             "run.draws is needed where anything is random",
         ),
         (
-            _double('l1 = { grid = ["1 m", "2 m", 99999] }', run='until = "1 s"\nevery = "1 us"'),
+            _double('l1 = { grid = ["1 m", "2 m", 99999] }', run='t_max = "1 s"\nevery = "1 us"'),
             8,
             "run.chunk rows must have at most 10000000 outputs together, got 1000 rows of 1000001",
         ),
         (
-            _double('l1 = { uniform = ["1 m", "2 m"] }', run='until = "1 s"\ndraws = 1000000001'),
+            _double('l1 = { uniform = ["1 m", "2 m"] }', run='t_max = "1 s"\ndraws = 1000000001'),
             8,
             "run.chunk must leave at most 1000000 chunks, got 1000000001 rows in chunks of 1000; ",
         ),

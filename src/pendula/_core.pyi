@@ -22,6 +22,8 @@ largest_angle: float = 67108864.0
 
 on_grid: float = 1e-09
 
+most_outputs: int = 100000000
+
 def series_order(tolerance: float) -> int:
     """The order of the series that the Taylor method takes."""
 

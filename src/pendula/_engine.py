@@ -200,6 +200,11 @@ def option_rows() -> tuple[OptionRow, ...]:
     return tuple(OptionRow(**row) for row in _core.option_rows())
 
 
+def option_unit(name: str) -> str:
+    """SI unit of an option of a run; empty: it has none, or is no such option."""
+    return next((row.unit for row in option_rows() if row.name == name), "")
+
+
 @dataclass(frozen=True)
 class RuleRow:
     """The sentences of a rule, after the argument's name, and the ways out: templates."""
@@ -261,6 +266,7 @@ def within_range_of_sine(states: Array) -> Array:
 LARGEST_ANGLE = _core.largest_angle  # the sine ends there [rad]
 LARGEST_LONG_ANGLE = _core.largest_long_angle  # a run with many digits ends there [rad]
 ON_GRID = _core.on_grid  # of a spacing: a time nearer to the grid lies on it
+MOST_OUTPUTS = _core.most_outputs  # of one run
 series_order = _core.series_order
 constants = _core.constants
 scales = _core.scales

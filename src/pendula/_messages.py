@@ -1,8 +1,9 @@
 """Messages as data: what a rule says, filled in and named by whoever shows it.
 
 A template names values in braces and arguments in angle brackets: "must not exceed the span of
-{span} s from <t0> to the end, got {value}; give <step=0.001>". Python shows `step=0.001`, the
-command `--step 0.001`; each has a `Naming`.
+{span} s from <t0> to the end, got {value}; give <step=0.001>", or "use <call=solve>". Python shows
+`step=0.001`, the command `--step 0.001s`; each has a `Naming`. Any exception can carry a `Message`
+as its first argument.
 """
 
 from __future__ import annotations
@@ -12,7 +13,8 @@ from typing import Any
 
 _PLACES = re.compile(r"<([\w{}]+)(?:=([^<>]*))?>|\{(\w+)\}")
 _BRACES = re.compile(r"\{(\w+)\}")
-_PLAIN = ("choices", "place", "constant", "system", "form", "other", "text")  # shown without quotes
+# details shown without quotes
+_PLAIN = ("choices", "place", "constant", "system", "form", "other", "text", "path")
 _JOINED = {"choices": ", ", "any_of": " or "}
 
 
@@ -28,7 +30,7 @@ class Naming:
         return f"{name}={value}"
 
     def call(self, name: str) -> str:
-        """A function of the package."""
+        """A function of the package, or a call that was made before."""
         return name
 
     def value(self, name: str, value: object) -> str:
@@ -62,12 +64,12 @@ class Message(str):
 
     def __new__(cls, argument: str, rule: str, way_out: str = "", **details: Any) -> Message:
         """The sentence in Python's words."""
-        told = super().__new__(cls, _sentence(PYTHON, argument, rule, way_out, details))
-        told.argument, told.rule, told.way_out, told.details = argument, rule, way_out, details
-        return told
+        made = super().__new__(cls, _sentence(PYTHON, argument, rule, way_out, details))
+        made.argument, made.rule, made.way_out, made.details = argument, rule, way_out, details
+        return made
 
     def __reduce__(self) -> tuple[Any, ...]:
-        """Errors cross from workers to whoever waits for them."""
+        """Pickled with its data: errors cross from workers to whoever waits for them."""
         return _message, (self.argument, self.rule, self.way_out, self.details)
 
     def named(self, naming: Naming) -> str:
@@ -90,35 +92,36 @@ class ArgumentError(ValueError):
         super().__init__(self.message)
 
     def __reduce__(self) -> tuple[Any, ...]:
-        """Errors cross from workers to whoever waits for them."""
-        return _argument_error, self.message.__reduce__()[1]
+        """Pickled with its data, of whichever subclass it is."""
+        return _error, (type(self), self.message), vars(self)
 
     @property
     def argument(self) -> str:
         """Name of the argument."""
         return self.message.argument
 
-    def of(self, argument: str) -> ArgumentError:
-        """The same fault of an argument by another name."""
-        told = self.message
-        return ArgumentError(argument, told.rule, told.way_out, **told.details)
+
+def message_of(error: BaseException) -> str:
+    """What an error says: a `Message`, where it carries one."""
+    first = error.args[0] if error.args else ""
+    return first if isinstance(first, Message) else str(error)
 
 
 def _message(argument: str, rule: str, way_out: str, details: dict[str, Any]) -> Message:
     return Message(argument, rule, way_out, **details)
 
 
-def _argument_error(
-    argument: str, rule: str, way_out: str, details: dict[str, Any]
-) -> ArgumentError:
-    return ArgumentError(argument, rule, way_out, **details)
+def _error(kind: type[ArgumentError], message: Message) -> ArgumentError:
+    return kind.__new__(kind, message)
 
 
 def _sentence(
     naming: Naming, argument: str, rule: str, way_out: str, details: dict[str, Any]
 ) -> str:
-    told = f"{naming.argument(argument)} {rule}" if argument else rule
-    return _filled(naming, f"{told}; {way_out}" if way_out else told, details)
+    subject = naming.argument(argument)
+    space = "" if not argument or rule.startswith(":") else " "
+    sentence = f"{rule}; {way_out}" if way_out else rule
+    return f"{subject}{space}{_filled(naming, sentence, details)}"
 
 
 def _filled(naming: Naming, template: str, details: dict[str, Any]) -> str:
@@ -133,10 +136,11 @@ def _filled(naming: Naming, template: str, details: dict[str, Any]) -> str:
             return f" [{unit}]" if unit else ""
         if name:
             return naming.value(name, details[name]) if name in details else place[0]
-        told = plain(argument if given is None else f"{argument}={given}")
-        if argument == "call":
-            return naming.call(told.removeprefix("call="))
-        shown, equals, value = told.partition("=")
+        shown, equals, value = plain(
+            argument if given is None else f"{argument}={given}"
+        ).partition("=")
+        if shown == "call":
+            return naming.call(value)
         return naming.given(shown, value) if equals else naming.argument(shown)
 
     return _PLACES.sub(filled, template)

@@ -11,11 +11,15 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from pendula._messages import ArgumentError, Naming
+from pendula._engine import option_unit
+from pendula._messages import Message, Naming, message_of
 from pendula.units import quantity
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator, Mapping
+
+
+_OLD_NAMES = {"t_max": "until"}  # what keys were called before; files with them are still read
 
 
 class RecipeFile:
@@ -31,7 +35,8 @@ class RecipeFile:
 
     def __init__(self, name: str, text: str) -> None:
         self.name, self._text = name, text
-        self.tables = self._parsed()
+        self._known: Mapping[str, Iterable[str]] = {}
+        self.tables = {name: _renamed(table) for name, table in self._parsed().items()}
 
     @classmethod
     def read(cls, path: Path) -> RecipeFile:
@@ -49,7 +54,8 @@ class RecipeFile:
 
     def place(self, *keys: tuple[str, str]) -> str:
         """The file, and the line of the first of some (table, key) that it sets."""
-        lines = [_line_of(self._text, *each) for each in keys]
+        both = ((table, name) for table, key in keys for name in (key, _OLD_NAMES.get(key)))
+        lines = [_line_of(self._text, table, name) for table, name in both if name is not None]
         line = next(filter(None, lines), 0)
         return f"{self.name}, line {line}" if line else self.name
 
@@ -59,25 +65,15 @@ class RecipeFile:
 
     @contextmanager
     def blaming(self, section: str, *keys: str) -> Iterator[None]:
-        """Let what is raised inside name the line of these keys."""
+        """Let what is raised inside name the line of the key it is about, or else of these."""
         try:
             yield
         except ValueError as error:
-            raise self.blame(section, keys, str(error)) from None
-
-    def naming(self, section: str) -> Naming:
-        """How errors name arguments: as the keys of a table."""
-        return _Keys(section)
-
-    @contextmanager
-    def blaming_keys(self, section: str, known: Iterable[str]) -> Iterator[None]:
-        """Let an argument's error name the key, and the line on which it stands."""
-        try:
-            yield
-        except ArgumentError as error:
-            key = error.argument if error.argument in known else ""
-            text = error.message.named(self.naming(section))
-            raise self.blame(section, (key, ""), text) from None
+            message = message_of(error)
+            if isinstance(message, Message):
+                keys = (message.argument, *keys) if message.argument else keys
+                message = message.named(_Keys(section, self._known.get(section, ())))
+            raise self.blame(section, keys, message) from None
 
     def check_tables(self, known: Iterable[str]) -> None:
         """Refuse tables that are not among those known, and keys outside of tables.
@@ -98,6 +94,7 @@ class RecipeFile:
         Raises:
             ValueError: naming the nearest known one, or all.
         """
+        self._known = known
         for name, keys in known.items():
             for key in self.tables.get(name, {}):
                 if key not in keys:
@@ -111,7 +108,7 @@ class RecipeFile:
             ValueError: for what is no quantity of this kind.
         """
         with self.blaming(section, key):
-            return quantity(raw, unit, f"{section}.{key}")
+            return quantity(raw, unit, key)
 
     def _parsed(self) -> dict[str, Any]:
         try:
@@ -127,16 +124,25 @@ class RecipeFile:
 class _Keys(Naming):
     """Arguments as the keys of a table."""
 
-    def __init__(self, section: str) -> None:
-        self._section = section
+    def __init__(self, section: str, known: Iterable[str]) -> None:
+        self._section, self._known = section, tuple(known)
 
     def argument(self, name: str) -> str:
-        """A key with its table."""
-        return f"{self._section}.{name}"
+        """A key with its table; what is no key of it, as Python names it."""
+        return f"{self._section}.{name}" if name in self._known else name
 
     def given(self, name: str, value: str) -> str:
         """A line of the table."""
-        return f"{name} = {as_toml(value)}"
+        unit = option_unit(name)
+        return f'{name} = "{value} {unit}"' if unit else f"{name} = {value}"
+
+
+def _renamed(table: Any) -> Any:
+    """A table with the names that its keys have now."""
+    if not isinstance(table, dict):
+        return table
+    now = {old: new for new, old in _OLD_NAMES.items() if new not in table}
+    return {now.get(key, key): value for key, value in table.items()}
 
 
 def suggestion(name: str, known: Iterable[str]) -> str:

@@ -8,6 +8,8 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from pendula._messages import Message
+
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
@@ -26,20 +28,21 @@ def refuse_existing(target: Path, *, overwrite: bool) -> None:
     if not os.access(folder, os.W_OK):
         raise PermissionError(f"cannot write {target}: no permission to write in {folder}")
     if os.path.lexists(target) and not overwrite:
-        raise FileExistsError(f"{target} exists; choose another name, or pass overwrite=True")
+        way_out = "choose another name, or pass <overwrite=True>"
+        raise FileExistsError(Message("", "{path} exists", way_out, path=target))
 
 
 @contextmanager
 def replacing(target: Path, *, overwrite: bool) -> Iterator[Path]:
     """A path beside `target` to write to; moved there at the end, removed on failure."""
     refuse_existing(target, overwrite=overwrite)
-    target = target.resolve()  # a link stays one, what it names is replaced
+    name, target = target, target.resolve()  # a link stays one, what it names is replaced
     unfinished = target.with_name(f".{target.stem}.{os.getpid()}.unfinished{target.suffix}")
     try:
         yield unfinished
         if target.exists() and target.is_dir() != unfinished.is_dir():
             kind = "folder" if target.is_dir() else "file"
-            raise FileExistsError(f"{target} exists and is a {kind}; choose another name")
+            raise FileExistsError(f"{name} exists and is a {kind}; choose another name")
         if target.is_dir():
             _swap(unfinished, target)
         else:

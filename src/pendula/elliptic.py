@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from pendula import _engine
 from pendula._checks import whole_number
+from pendula._messages import ArgumentError
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -79,10 +80,12 @@ def F(phi: ArrayLike, k: ArrayLike | None = None, *, kc: ArrayLike | None = None
     complex_ones = np.isnan(result) & ~np.isnan(angles) & ~np.isnan(moduli)
     if complex_ones.any():
         where = int(complex_ones.argmax())
-        raise ValueError(
-            "phi must, for k > 1, lie within [-pi/2, pi/2] and k |sin phi| not above 1, where F is "
-            f"real; got {float(angles.flat[where])!r} for "
-            f"{modulus.name} = {float(moduli.flat[where])!r}"
+        raise ArgumentError(
+            "phi",
+            "must, for k > 1, lie within [-pi/2, pi/2] and k |sin phi| not above 1, where F is "
+            "real; got {value} for {text}",
+            value=float(angles.flat[where]),
+            text=f"{modulus.name} = {float(moduli.flat[where])!r}",
         )
     return result
 
@@ -146,14 +149,16 @@ def _modulus(k: ArrayLike | None, kc: ArrayLike | None, largest: float) -> _Modu
     import numpy as np
 
     if (k is None) == (kc is None):
-        raise ValueError("give the modulus k or the complementary modulus kc=, one of the two")
+        raise ArgumentError(
+            "", "give the modulus <k> or the complementary modulus kc=, one of the two"
+        )
     name, given, most = ("k", k, largest) if kc is None else ("kc", kc, 1.0)
     modulus = _Modulus(name, np.asarray(given, dtype=np.float64))
     outside = (modulus.values < 0.0) | (modulus.values > most) | np.isinf(modulus.values)
     if outside.any():
         value = float(modulus.values.flat[int(outside.argmax())])
         rule = f"lie within [0, {most:g}]" if most < math.inf else "be finite and not negative"
-        raise ValueError(f"{name} must {rule}, got {value!r} (modulus, not m = k²)")
+        raise ArgumentError(name, f"must {rule}, got {{value}} (modulus, not m = k²)", value=value)
     return modulus
 
 
@@ -165,9 +170,10 @@ def _jacobi(u: ArrayLike, k: ArrayLike | None, kc: ArrayLike | None) -> Any:
     arguments, moduli = np.broadcast_arrays(np.asarray(u, dtype=np.float64), modulus.values)
     lost = np.isnan(result[0]) & ~np.isnan(arguments) & ~np.isnan(moduli)
     if lost.any():
-        raise ValueError(
-            "u must be at most 2^200 half periods in size; "
-            f"got {float(arguments.flat[int(lost.argmax())])!r}"
+        raise ArgumentError(
+            "u",
+            "must be at most 2^200 half periods in size; got {value}",
+            value=float(arguments.flat[int(lost.argmax())]),
         )
     return result
 

@@ -13,6 +13,8 @@ from fractions import Fraction
 from functools import cache
 from typing import TYPE_CHECKING
 
+from pendula._messages import ArgumentError
+
 if TYPE_CHECKING:
     import pint
 
@@ -44,14 +46,16 @@ EVERYDAY: dict[str, tuple[Fraction, str]] = {
 }
 _OTHERS = ("meter", "second", "minute", "hour", "gram", "kilogram", "radian", "inch", "ft", "rpm")
 _EXAMPLES = {
-    "m": "50cm",
-    "s": "10ms",
-    "rad": "30deg",
-    "rad/s": "90deg/s",
-    "kg": "500g",
-    "m/s^2": "9.81m/s^2",
-    "": "0.5",
+    "m": ("50", "cm"),
+    "s": ("10", "ms"),
+    "rad": ("30", "deg"),
+    "rad/s": ("90", "deg/s"),
+    "kg": ("500", "g"),
+    "m/s^2": ("9.81", "m/s^2"),
+    "kg m^2": ("0.1", "kg m^2"),
+    "": ("0.5", ""),
 }
+_EXAMPLE = "write {text}, say"
 _PINT_BASES = {"meter": "m", "gram": "kg", "second": "s", "radian": "rad"}
 
 _LONGEST = 100  # characters
@@ -82,8 +86,10 @@ def quantity(text: str, unit: str, name: str) -> float:
     if "," in text:
         if _DECIMAL_COMMA.fullmatch(text):
             point = text.strip().replace(",", ".")
-            raise ValueError(f"{name}: write {point}; a comma separates entries of a list")
-        raise ValueError(f"{name} takes one value, got {_shown(text)}; write {_example(unit)}, say")
+            way_out = "a comma separates entries of a list"
+            raise ArgumentError(name, ": write {text}", way_out, text=point)
+        rule = "takes one value, got {value}"
+        raise ArgumentError(name, rule, _EXAMPLE, value=_shortened(text), text=example_of(unit))
     return _value(text, unit, name)
 
 
@@ -101,7 +107,8 @@ def quantities(text: str, unit: str, name: str) -> list[float]:
 def _check_list(entries: list[str], text: str, unit: str, name: str) -> None:
     """Entries without a unit could be halves of a decimal comma: they are refused."""
     if not all(entries):
-        raise ValueError(f"{name} has an empty entry between commas, got {_shown(text)}")
+        rule = "has an empty entry between commas, got {value}"
+        raise ArgumentError(name, rule, value=_shortened(text))
     found = [_NUMBER.fullmatch(entry.translate(_PLAIN_SIGNS)) for entry in entries]
     bare = [entry for entry, each in zip(entries, found, strict=True) if each and not each["unit"]]
     if not bare or not unit:
@@ -114,21 +121,25 @@ def _check_list(entries: list[str], text: str, unit: str, name: str) -> None:
     halves = len(entries) == 2 and entries[0] in bare and entries[1][:1].isdigit()
     one = ".".join(entries) if halves else ""
     decimal = f", or {one} for one value with a decimal point" if one.count(".") == 1 else ""
-    raise ValueError(
-        f"{name}: {bare[0]!r} in the list {_shown(text)} has no unit, each entry carries its own; "
-        f"write {each_its_own}{decimal}"
+    raise ArgumentError(
+        name,
+        ": {entry} in the list {value} has no unit, each entry carries its own",
+        "write {text}",
+        entry=bare[0],
+        value=_shortened(text),
+        text=each_its_own + decimal,
     )
 
 
 def _value(text: str, unit: str, name: str) -> float:
-    example = f"write {_example(unit)}, say"
+    details = {"value": _shortened(text), "text": example_of(unit)}
     try:
         return _read(text.strip().translate(_PLAIN_SIGNS), unit)
     except _UnknownUnitError as unknown:
-        way_out = _near(unknown.unit) or example
-        raise ValueError(f"{name} {unknown} in {_shown(text)}; {way_out}") from None
+        rule, way_out = "has the unknown unit {unknown} in {value}", _near(unknown.unit) or _EXAMPLE
+        raise ArgumentError(name, rule, way_out, unknown=unknown.unit, **details) from None
     except _RuleError as broken:
-        raise ValueError(f"{name} must {broken}, got {_shown(text)}; {example}") from None
+        raise ArgumentError(name, f"must {broken}, got {{value}}", _EXAMPLE, **details) from None
 
 
 def _read(text: str, unit: str) -> float:
@@ -150,7 +161,7 @@ class _UnknownUnitError(Exception):
     """A name that is no unit."""
 
     def __init__(self, unit: str) -> None:
-        super().__init__(f"has the unknown unit {unit!r}")
+        super().__init__(unit)
         self.unit = unit
 
 
@@ -224,9 +235,11 @@ def _near(unknown: str) -> str:
     return f"did you mean {' or '.join(close)}?" if close else ""
 
 
-def _example(unit: str) -> str:
-    return _EXAMPLES.get(unit, f"1{unit}")
+def example_of(unit: str, gap: str = "") -> str:
+    """A quantity of that unit, as people write it, with this between number and unit."""
+    number, name = _EXAMPLES.get(unit, ("1", unit))
+    return f"{number}{gap}{name}"
 
 
-def _shown(text: str) -> str:
-    return repr(text if len(text) <= 40 else f"{text[:40]}…")
+def _shortened(text: str) -> str:
+    return text if len(text) <= 40 else f"{text[:40]}…"

@@ -9,6 +9,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from pendula._messages import ArgumentError
+
 if TYPE_CHECKING:
     from pendula._types import Array
 
@@ -55,9 +57,13 @@ def convergence_order(
     h = np.asarray(steps, dtype=np.float64)
     e = np.asarray(errors, dtype=np.float64)
     if h.ndim != 1 or h.shape != e.shape:
-        raise ValueError(f"steps and errors must be lists of one length, got {h.shape}, {e.shape}")
+        raise ArgumentError(
+            "",
+            "<steps> and <errors> must be lists of one length, got {text}",
+            text=f"{h.shape}, {e.shape}",
+        )
     if not np.all(h > 0):
-        raise ValueError(f"steps must be positive, got {h.min()!r}")
+        raise ArgumentError("steps", "must be positive, got {value}", value=float(h.min()))
     usable = np.flatnonzero((e > floor) & (e < ceiling))
     finest = usable[np.argsort(h[usable])][:points]
     used = np.zeros(h.shape, dtype=np.bool_)

@@ -8,6 +8,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike
 
+from pendula._messages import ArgumentError
+
 if TYPE_CHECKING:
     from pendula._types import Array
     from pendula.run.trajectory import Trajectory
@@ -30,7 +32,9 @@ def angle_difference(run: Trajectory, reference: Trajectory) -> Array:
     """
     n = len(run.t)
     if n > len(reference.t) or not np.array_equal(run.t, reference.t[:n]):
-        raise ValueError("run and reference must have the same times: solve both for one list")
+        raise ArgumentError(
+            "", "<run> and <reference> must have the same times: solve both for one list"
+        )
     difference = np.full(len(reference.t), np.nan)
     # The angles of a method that blows up may overflow in the subtraction: inf is the answer.
     with np.errstate(over="ignore", invalid="ignore"):
@@ -57,7 +61,7 @@ def parting_time(t: ArrayLike, difference: ArrayLike, tolerance: float) -> float
         ValueError: for a tolerance that is not positive.
     """
     if not tolerance > 0:
-        raise ValueError(f"tolerance must be positive, got {tolerance!r}")
+        raise ArgumentError("tolerance", "must be positive, got {value}", value=tolerance)
     times, apart = np.asarray(t, dtype=np.float64), np.asarray(difference, dtype=np.float64)
     passed = np.flatnonzero(~(apart <= tolerance))
     if len(passed) == 0:

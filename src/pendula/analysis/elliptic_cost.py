@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from pendula import elliptic
+from pendula._messages import ArgumentError
 
 if TYPE_CHECKING:
     from pendula._types import Array
@@ -65,11 +66,15 @@ def agm_iterations(kc: ArrayLike, tolerance: float) -> NDArray[np.int64]:
 def _checked(kc: ArrayLike, tolerance: float) -> Array:
     modulus = np.asarray(kc, dtype=np.float64)
     if not np.all((modulus > 0) & (modulus <= 1)):
-        raise ValueError("kc must lie in 0 < kc ≤ 1: at kc = 0 (the separatrix) K is infinite")
+        raise ArgumentError(
+            "kc", "must lie in 0 < kc ≤ 1: at kc = 0 (the separatrix) K is infinite"
+        )
     if not _LEAST_TOLERANCE < tolerance < 1:
-        raise ValueError(
-            f"tolerance must lie between {_LEAST_TOLERANCE} and 1, the reach of double precision, "
-            f"got {tolerance!r}"
+        raise ArgumentError(
+            "tolerance",
+            "must lie between {least} and 1, the reach of double precision, got {value}",
+            least=_LEAST_TOLERANCE,
+            value=tolerance,
         )
     return modulus
 

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike
 
+from pendula._messages import ArgumentError
 from pendula.run.exact import exact
 from pendula.systems import LinearPendulum, SimplePendulum
 
@@ -39,12 +40,12 @@ def linear_model_error(amplitude: ArrayLike, swings: float = 1.0) -> Array:
     """
     theta0 = np.asarray(amplitude, dtype=np.float64)
     if not np.all((theta0 > 0) & (theta0 < math.pi)):
-        raise ValueError("amplitude must lie between 0 and π rad: it is a release from rest")
+        raise ArgumentError("amplitude", "must lie between 0 and π rad: it is a release from rest")
     if not swings > 0:
-        raise ValueError(f"swings must be positive, got {swings!r}")
+        raise ArgumentError("swings", "must be positive, got {value}", value=swings)
     linear, simple = LinearPendulum(), SimplePendulum()
-    until = swings * math.tau / simple.natural_frequency
-    t = np.linspace(0.0, until, math.ceil(_SAMPLES_A_PERIOD * swings) + 1)
+    t_max = swings * math.tau / simple.natural_frequency
+    t = np.linspace(0.0, t_max, math.ceil(_SAMPLES_A_PERIOD * swings) + 1)
     states = np.stack([theta0.ravel(), np.zeros(theta0.size)], axis=-1)
     apart = exact(linear, states, t).states[..., 0] - exact(simple, states, t).states[..., 0]
     largest: Array = np.abs(apart).max(axis=-1).reshape(theta0.shape) / theta0
@@ -85,7 +86,8 @@ def period_limit(tolerance: float) -> float:
 
 def _check_tolerance(tolerance: float) -> None:
     if not 0 < tolerance < 1:
-        raise ValueError(f"tolerance must lie between 0 and 1, got {tolerance!r}")
+        rule = "must lie between 0 and 1, got {value}"
+        raise ArgumentError("tolerance", rule, value=tolerance)
 
 
 def _crossing(rising: Callable[[float], float], value: float, high: float) -> float:

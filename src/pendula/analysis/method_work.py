@@ -127,7 +127,7 @@ class WorkPrecision:
             "system": self.system.description(),
             "state": self.state.tolist(),
             "t0": self.t0,
-            "until": float(self.t[-1]),
+            "t_max": float(self.t[-1]),
             "outputs": len(self.t),
             "reference": self.reference,
             "digits": self.digits,

@@ -19,6 +19,7 @@ from pendula.run.exact import exact
 from pendula.run.options import BEST_TOLERANCE, ROWS
 from pendula.run.request import Request, checked_name, checked_state, refuse
 from pendula.run.solve import solve
+from pendula.run.trust import DigitsError
 from pendula.systems import System, check_system
 
 if TYPE_CHECKING:
@@ -48,7 +49,7 @@ _SLOW = 0.1  # a run that takes so many seconds is not repeated
 def work_precision(
     system: System,
     state: ArrayLike,
-    until: float,
+    t_max: float,
     methods: Iterable[str] | None = None,
     *,
     t0: float = 0.0,
@@ -68,7 +69,7 @@ def work_precision(
     Args:
         system: a pendulum.
         state: (θ, ω) or (θ1, θ2, ω1, ω2) at time t0, (d,) [rad, rad/s].
-        until: end of the runs [s].
+        t_max: end of the runs [s].
         methods: names that `pendula.methods()` lists; None: all that take the system.
         t0: time of the state [s].
         points: runs of each method, 2 to 100. The steps are parts of the motion's time scale.
@@ -80,10 +81,10 @@ def work_precision(
     """
     check_system(system)
     start = checked_state(state, system)
-    origin, end = finite_number("t0", t0, "s"), finite_number("until", until, "s")
+    origin, end = finite_number("t0", t0, "s"), finite_number("t_max", t_max, "s")
     count = whole_number("points", points, _MOST_POINTS)
     if count < 2:
-        raise ValueError(f"points must be at least 2, got {count}")
+        raise ArgumentError("points", "must be at least 2, got {value}", value=count)
     chosen = _chosen(system, methods)
     scales = abs(end - origin) / time_scale(system, start)
     t = np.linspace(origin, end, _outputs(scales) + 1)[1:]
@@ -116,9 +117,9 @@ def _chosen(system: System, names: Iterable[str] | None) -> list[_engine.Method]
     """The methods of these names, each once."""
     if names is None:
         return [each for each in _engine.methods() if system.name in each.systems]
-    chosen = [_taken(checked_name(name), system) for name in dict.fromkeys(names)]
+    chosen = [_taken(checked_name(name, "methods"), system) for name in dict.fromkeys(names)]
     if not chosen:
-        raise ValueError("methods must name at least one method, got none")
+        raise ArgumentError("methods", "must name at least one method, got none")
     return chosen
 
 
@@ -126,16 +127,19 @@ def _taken(name: str, system: System) -> _engine.Method:
     """The method of that name, which takes the system."""
     rest = np.zeros(len(system.components))
     asked = Request(state=rest, t=np.array([1.0]), step=None)
-    refuse(_engine.check_method(asked.for_core(system, name)))
+    refuse(_engine.check_method(asked.for_core(system, name)), method="methods")
     return _engine.method_named(name)
 
 
 def _outputs(scales: float) -> int:
     """The number of output times for a motion of so many time scales."""
     if not 0.0 < scales <= _MOST_SCALES:
-        raise ValueError(
-            f"until must differ from t0, by at most {_MOST_SCALES:g} of the motion's time scales, "
-            f"got {scales:.3g} of them"
+        raise ArgumentError(
+            "t_max",
+            "must differ from <t0>, by at most {most} of the motion's time scales, got {count} of "
+            "them",
+            most=_MOST_SCALES,
+            count=scales,
         )
     return min(math.ceil(scales * _OUTPUTS), _MOST_OUTPUTS)
 
@@ -147,10 +151,12 @@ def _reference(
     if not system.can.closed_form:
         try:
             run = solve(system, start, t, t0=t0, digits=_DIGITS, progress=progress)
-        except ValueError as error:
-            reason = str(error).partition(", or")[0]
-            raise ValueError(
-                f"until must be nearer for a reference right to {_DIGITS} digits: {reason}"
+        except DigitsError as error:
+            raise ArgumentError(
+                "t_max",
+                "must be nearer for a reference right to {digits} digits: {text}",
+                digits=_DIGITS,
+                text=error.reason,
             ) from None
         return run, 10.0**-_DIGITS
     return exact(system, start, t, t0=t0), _EXACT

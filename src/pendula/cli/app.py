@@ -15,12 +15,13 @@ from pendula._checks import MissingExtraError
 from pendula._version import __version__
 from pendula.cli import compare, exact, map, methods, period, solve, study, sweep
 from pendula.cli.groups import ChoiceGroup
-from pendula.cli.wording import one_line
+from pendula.cli.naming import CommandNaming
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
 FAILED, WRONG_USE = 1, 2
+_OLD_OPTIONS = {"until": "t-max"}  # what options were called before is still read
 BAD_PATH = (
     FileExistsError,
     FileNotFoundError,
@@ -34,6 +35,7 @@ BAD_PATH = (
     cls=ChoiceGroup,
     kind="command",
     epilog="Quantities take units: 50cm, 30deg, 9.81m/s^2; plain numbers are in SI units.",
+    context_settings={"token_normalize_func": lambda name: _OLD_OPTIONS.get(name, name)},
 )
 @click.version_option(__version__, message="pendula %(version)s")
 def _pendula() -> None:
@@ -68,7 +70,7 @@ def _run(given: list[str]) -> int:
         _end_output()
         return 0
     except (click.ClickException, MissingExtraError, ValueError, OSError, MemoryError) as error:
-        print(f"pendula: {one_line(error)}", file=sys.stderr)
+        print(f"pendula: {CommandNaming(_pendula).one_line(error)}", file=sys.stderr)
         _end_output()
         return _exit_code(error)
     return 0

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from pendula import _engine
-from pendula.cli.groups import all_systems, one_each
+from pendula.cli.groups import one_each, systems_that
 from pendula.cli.options import start_of, start_options, system_of, system_options, value
 from pendula.cli.pictures import checked_picture, file_and_picture, write_picture
 from pendula.cli.progress import progress_bar
@@ -31,7 +31,7 @@ def _options(entry: SystemEntry) -> list[click.Parameter]:
         *system_options(entry),
         *start_options(entry),
         start_time(),
-        value("until", "end time", required=True),
+        value("t_max", "end time", required=True),
         click.Option(
             ["--methods"],
             metavar="NAMES",
@@ -54,8 +54,8 @@ def _options(entry: SystemEntry) -> list[click.Parameter]:
 
 def _compare(entry: SystemEntry, **given: Any) -> None:
     system, start = system_of(entry, given), start_of(entry, given)
-    t0, until = seconds(given["t0"], "--t0"), seconds(given["until"], "--until")
-    span_of(t0, until)
+    t0, t_max = seconds(given, "t0"), seconds(given, "t_max")
+    span_of(t0, t_max)
     out, picture = _targets(given)
     from pendula.analysis import work_precision
 
@@ -63,11 +63,11 @@ def _compare(entry: SystemEntry, **given: Any) -> None:
     chosen = None if names is None else [each.strip() for each in names.split(",")]
     with progress_bar() as progress:
         found = work_precision(
-            system, start, until, chosen, t0=t0, points=given["points"], progress=progress
+            system, start, t_max, chosen, t0=t0, points=given["points"], progress=progress
         )
     if not any(math.isfinite(each.best) for each in found.methods):
         raise click.ClickException(
-            "no method reached the end time with any step; take an earlier --until"
+            "no method reached the end time with any step; take an earlier --t-max"
         )
     _write(found, out, picture, given)
     click.echo(_table(found))
@@ -144,7 +144,7 @@ def _summary(found: WorkPrecision) -> str:
 command = one_each(
     "compare",
     "Compare methods: error against cost, relative to the exact or a certified solution.",
-    all_systems(),
+    systems_that(),
     _options,
     _compare,
 )

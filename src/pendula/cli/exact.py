@@ -4,17 +4,16 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from pendula.cli.groups import one_angle, one_each
+from pendula.cli.groups import one_each, systems_that
 from pendula.cli.options import start_of, start_options, system_of, system_options, value
 from pendula.cli.run import (
-    check_count,
     deliver,
     file_options,
     seconds,
-    spacing,
     span_of,
     start_time,
     target,
+    times_apart,
 )
 
 if TYPE_CHECKING:
@@ -32,8 +31,8 @@ def _options(entry: SystemEntry) -> list[click.Parameter]:
         *start_options(entry),
         start_time(),
         value("at", "output times, e.g. 1s,2s, in any order"),
-        value("until", "end time (instead of --at)"),
-        value("every", f"with --until: time between outputs [default: 1/{_INTERVALS} of the span]"),
+        value("t_max", "end time (instead of --at)"),
+        value("every", f"with --t-max: time between outputs [default: 1/{_INTERVALS} of the span]"),
         *file_options(),
     ]
 
@@ -42,26 +41,28 @@ def _exact(entry: SystemEntry, **given: Any) -> None:
     from pendula.run.exact import exact
 
     system, start = system_of(entry, given), start_of(entry, given)
-    t0 = seconds(given["t0"], "--t0")
+    t0 = seconds(given, "t0")
     out = target(given["out"], force=given["force"])
     run = exact(system, start, _times(t0, given), t0=t0)
     deliver(run, out, force=given["force"], every_row=given["at"] is not None)
 
 
 def _times(t0: float, given: dict[str, Any]) -> list[float] | Array:
-    from pendula.run._times import spaced
     from pendula.units import quantities
 
-    at, until, every = given["at"], given["until"], given["every"]
-    if (at is None) == (until is None) or (at is not None and every is not None):
-        raise ValueError("name the times with --at 1s,2s or with --until 10s [--every 10ms]")
+    at, every = given["at"], given["every"]
+    if (at is None) == (given["t_max"] is None) or (at is not None and every is not None):
+        raise ValueError("name the times with --at 1s,2s or with --t-max 10s [--every 10ms]")
     if at is not None:
-        return quantities(at, "s", "--at")
-    end = seconds(until, "--until")
-    span = span_of(t0, end)
-    apart = span / _INTERVALS if every is None else spacing(every, span)
-    check_count(span, apart, "--every")
-    return spaced(t0, end, apart)
+        return quantities(at, "s", "at")
+    t_max = seconds(given, "t_max")
+    return times_apart(t0, t_max, seconds(given, "every", span_of(t0, t_max) / _INTERVALS))
 
 
-command = one_each("exact", "Evaluate a motion in closed form.", one_angle(), _options, _exact)
+command = one_each(
+    "exact",
+    "Evaluate a motion in closed form.",
+    systems_that(lambda can: can.closed_form),
+    _options,
+    _exact,
+)

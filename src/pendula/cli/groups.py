@@ -11,7 +11,7 @@ from pendula import _engine
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable
 
-    from pendula._engine import SystemEntry
+    from pendula._engine import Capabilities, SystemEntry
 
 
 class ChoiceGroup(click.Group):
@@ -40,6 +40,19 @@ class ChoiceGroup(click.Group):
         return super().resolve_command(ctx, args)
 
 
+class _SystemCommand(click.Command):
+    """A command whose values are quantities: of words too many the reason is likely a space."""
+
+    def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
+        """Refuse words that belong to no option."""
+        ctx.allow_extra_args = True
+        rest = super().parse_args(ctx, args)
+        if rest:
+            words = f"unexpected extra argument{'s' if len(rest) > 1 else ''} ({' '.join(rest)})"
+            ctx.fail(f"{words}; a value with spaces needs quotes: '50 cm'")
+        return rest
+
+
 def one_each(
     name: str,
     help: str,
@@ -55,18 +68,17 @@ def one_each(
             callback(entry, **given)
 
         forms = ", ".join(form.meaning for form in entry.forms)
-        told = f"{help} The {entry.name} pendulum: {forms}."
-        command = click.Command(entry.name, params=options(entry), callback=call, help=told)
-        command.short_help = f"the {entry.name} pendulum: {forms}"
+        command = _SystemCommand(
+            entry.name,
+            params=options(entry),
+            callback=call,
+            help=f"{help} The {entry.name} pendulum: {forms}.",
+            short_help=f"the {entry.name} pendulum: {forms}",
+        )
         group.add_command(command)
     return group
 
 
-def all_systems() -> list[SystemEntry]:
-    """The catalogue's systems."""
-    return list(_engine.system_entries().values())
-
-
-def one_angle() -> list[SystemEntry]:
-    """The systems with one angle: those with a closed form and a period."""
-    return [entry for entry in all_systems() if len(entry.components) == 2]
+def systems_that(can: Callable[[Capabilities], bool] = lambda _: True) -> list[SystemEntry]:
+    """The catalogue's systems with a capability; all, if none is named."""
+    return [entry for entry in _engine.system_entries().values() if can(entry.can)]

@@ -11,10 +11,15 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from pendula import _engine
-from pendula.cli.groups import ChoiceGroup, one_each
+from pendula.cli.groups import ChoiceGroup, one_each, systems_that
 from pendula.cli.map_output import check_targets, summary, write
-from pendula.cli.options import system_of, system_options, value
+from pendula.cli.options import (
+    run_options,
+    run_options_of,
+    system_of,
+    system_options,
+    value,
+)
 from pendula.cli.pictures import file_and_picture
 from pendula.cli.progress import work_bar
 from pendula.cli.run import seconds
@@ -57,11 +62,11 @@ def _options(entry: SystemEntry) -> list[click.Parameter]:
 def _flip_options(entry: SystemEntry) -> list[click.Parameter]:
     return [
         *_options(entry),
-        value("until", "time limit for a flip, e.g. 30s", required=True),
+        value("t_max", "time limit for a flip, e.g. 30s", required=True),
         click.Option(
             ["--which"], type=int, metavar="ROD", help="rod 1 or 2 [default: whichever flips first]"
         ),
-        value("tolerance", "of the Taylor method [default: 1e-8]"),
+        *run_options("tolerance", otherwise="default: 1e-8"),
         click.Option(
             ["--no-resolve"],
             is_flag=True,
@@ -74,9 +79,9 @@ def _flip_options(entry: SystemEntry) -> list[click.Parameter]:
 def _divergence_options(entry: SystemEntry) -> list[click.Parameter]:
     return [
         *_options(entry),
-        value("until", "time at which neighbours are compared", required=True),
+        value("t_max", "time at which neighbours are compared", required=True),
         value("separation", "initial separation of the neighbours [default: 1e-8 rad]"),
-        value("tolerance", "of the Taylor method [default: machine precision]"),
+        *run_options("tolerance"),
         *_output_options(),
     ]
 
@@ -124,30 +129,23 @@ def _asked(entry: SystemEntry, given: dict[str, Any]) -> dict[str, Any]:
     """What both maps are asked for."""
     return {
         "system": system_of(entry, given),
-        **{name: _range(given[name], f"--{name}") for name in _ANGLES},
+        **{name: _range(given[name], name) for name in _ANGLES},
         "shape": _size(given["size"]),
-        "t_max": seconds(given["until"], "--until"),
+        "t_max": seconds(given, "t_max"),
+        **run_options_of(given),
     }
 
 
 def _of_flips(given: dict[str, Any]) -> dict[str, Any]:
-    from pendula.units import quantity
-
-    asked = {"which": given["which"], "resolve": not given["no_resolve"]}
-    if given["tolerance"] is not None:
-        asked["tolerance"] = quantity(given["tolerance"], "", "--tolerance")
-    return asked
+    return {"which": given["which"], "resolve": not given["no_resolve"]}
 
 
 def _of_divergence(given: dict[str, Any]) -> dict[str, Any]:
     from pendula.units import quantity
 
-    units = {"separation": "rad", "tolerance": ""}
-    return {
-        name: quantity(given[name], unit, f"--{name}")
-        for name, unit in units.items()
-        if given[name] is not None
-    }
+    if given["separation"] is None:
+        return {}
+    return {"separation": quantity(given["separation"], "rad", "separation")}
 
 
 _OWN = {"flip": _of_flips, "divergence": _of_divergence}
@@ -159,16 +157,17 @@ def _range(text: str, name: str) -> tuple[float, float]:
     Raises:
         ValueError: for anything else, or where one end alone has a unit.
     """
+    from pendula._messages import ArgumentError
     from pendula.units import quantity
 
-    ends = text.split(":")
+    ends, example = text.split(":"), f"such as {_TURN}, got {{value}}"
     if len(ends) != 2:
-        raise ValueError(f"{name} must be a range such as {_TURN}, got {text!r}")
+        raise ArgumentError(name, f"must be a range {example}", value=text)
     low, high = (quantity(end, "rad", name) for end in ends)
     bare = [re.fullmatch(r"[-+\d.eE\s]+", end) is not None for end in ends]
     one_end = bare[0] != bare[1] and (low if bare[0] else high) != 0.0
     if one_end or (all(bare) and max(abs(low), abs(high)) > _MOST_BARE):
-        raise ValueError(f"{name} needs the unit at both ends, such as {_TURN}, got {text!r}")
+        raise ArgumentError(name, f"needs the unit at both ends, {example}", value=text)
     return low, high
 
 
@@ -205,8 +204,8 @@ def _command() -> ChoiceGroup:
     }
     options = {"flip": _flip_options, "divergence": _divergence_options}
     for kind, help in helps.items():
-        two = [each for each in _engine.system_entries().values() if len(each.components) == 4]
-        group.add_command(one_each(kind, help, two, options[kind], partial(_map, kind)))
+        systems = systems_that(lambda can: can.mapped)
+        group.add_command(one_each(kind, help, systems, options[kind], partial(_map, kind)))
     return group
 
 

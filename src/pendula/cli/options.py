@@ -7,6 +7,8 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from pendula import _engine
+
 if TYPE_CHECKING:
     from pendula._engine import Form, Parameter, SystemEntry
     from pendula.systems import System
@@ -16,9 +18,37 @@ if TYPE_CHECKING:
 
 def value(name: str, help: str, *, required: bool = False) -> click.Option:
     """An option that takes a quantity."""
-    return click.Option(
-        [name.replace("-", "_"), f"--{name}"], metavar="VALUE", help=help, required=required
-    )
+    return click.Option([name, _long(name)], metavar="VALUE", help=help, required=required)
+
+
+def run_options(*names: str, otherwise: str = "") -> list[click.Parameter]:
+    """The options of a run, from the core's rows.
+
+    Args:
+        *names: which; none: all.
+        otherwise: what is done where one is not given; empty: what its row says.
+    """
+    return [
+        click.Option(
+            [row.name, _long(row.name)],
+            metavar="N" if row.whole else "VALUE",
+            type=int if row.whole else None,
+            help=f"{row.meaning}, e.g. {row.example:.7g}{row.unit} [{otherwise or row.otherwise}]",
+        )
+        for row in _engine.option_rows()
+        if row.name in names or not names
+    ]
+
+
+def run_options_of(given: Given) -> Given:
+    """The options of a run that are given, as numbers in SI units."""
+    from pendula.units import quantity
+
+    return {
+        row.name: given[row.name] if row.whole else quantity(given[row.name], row.unit, row.name)
+        for row in _engine.option_rows()
+        if given.get(row.name) is not None
+    }
 
 
 def system_options(entry: SystemEntry) -> list[click.Parameter]:
@@ -62,7 +92,7 @@ def system_of(entry: SystemEntry, given: Given) -> System:
     if missing:
         raise ValueError(f"--{form.name} needs {', '.join(missing)} too")
     values = {
-        name: quantity(given[name], row.unit, f"--{name}")
+        name: quantity(given[name], row.unit, name)
         for name, row in rows.items()
         if given[name] is not None
     }
@@ -74,9 +104,7 @@ def start_of(entry: SystemEntry, given: Given) -> list[float]:
     from pendula.units import quantity
 
     return [
-        row.standard
-        if given[row.name] is None
-        else quantity(given[row.name], row.unit, f"--{row.name}")
+        row.standard if given[row.name] is None else quantity(given[row.name], row.unit, row.name)
         for row in entry.components
     ]
 
@@ -87,6 +115,10 @@ def _form(entry: SystemEntry, given: Given) -> Form:
         names = " and ".join(f"--{form.name}" for form in chosen)
         raise ValueError(f"{names} exclude one another; name one of them")
     return chosen[0] if chosen else entry.forms[0]
+
+
+def _long(name: str) -> str:
+    return f"--{name.replace('_', '-')}"
 
 
 def _flag(form: Form) -> str:
@@ -102,14 +134,14 @@ def _not_of_form(entry: SystemEntry, form: Form, name: str) -> str:
 
 def _explained(entry: SystemEntry, name: str) -> str:
     """The meaning of a parameter, form by form where it differs."""
-    told: dict[str, list[str]] = {}
+    forms: dict[str, list[str]] = {}  # by meaning
     for form in entry.forms:
         for row in form.parameters:
             if row.name == name:
-                told.setdefault(f"{row.meaning} {_default(row)}", []).append(form.name)
-    if sum(map(len, told.values())) == len(entry.forms) and len(told) == 1:
-        return next(iter(told))
-    return "; ".join(f"{', '.join(forms)}: {text}" for text, forms in told.items())
+                forms.setdefault(f"{row.meaning} {_default(row)}", []).append(form.name)
+    if sum(map(len, forms.values())) == len(entry.forms) and len(forms) == 1:
+        return next(iter(forms))
+    return "; ".join(f"{', '.join(names)}: {meaning}" for meaning, names in forms.items())
 
 
 def _default(row: Parameter) -> str:

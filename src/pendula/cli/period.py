@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from pendula.cli.groups import one_angle, one_each
+from pendula.cli.groups import one_each, systems_that
 from pendula.cli.options import start_of, start_options, system_of, system_options, value
 from pendula.cli.tables import table
 
@@ -48,7 +48,7 @@ def _period(entry: SystemEntry, **given: Any) -> None:
 def _of_swings(system: Any, texts: str, small: float) -> list[tuple[str, ...]]:
     from pendula.units import quantities
 
-    amplitudes = quantities(texts, "rad", "--amplitude")
+    amplitudes = quantities(texts, "rad", "amplitude")
     periods = [float(each) for each in system.period(amplitudes)]
     return [
         ("".join(text.split()), repr(amplitude), repr(period), repr(period / small))
@@ -59,7 +59,7 @@ def _of_swings(system: Any, texts: str, small: float) -> list[tuple[str, ...]]:
 command = one_each(
     "period",
     "Period for an amplitude or a state, and its ratio to the small-angle period T0.",
-    one_angle(),
+    systems_that(lambda can: can.period),
     _options,
     _period,
 )

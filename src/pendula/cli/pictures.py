@@ -53,12 +53,9 @@ def checked_picture(given: dict[str, Any]) -> Path | None:
             f"--picture must end in one of {', '.join(_ENDINGS)}, got {str(picture)!r}"
         )
     extra("matplotlib", "report")
-    try:
-        refuse_existing(picture, overwrite=given["force"])
-    except FileExistsError:
-        if given.get("resume"):  # --force would begin the store anew
-            raise FileExistsError(f"{picture} exists; remove it, or name another") from None
-        raise
+    if given.get("resume") and picture.exists():  # --force would begin the store anew
+        raise FileExistsError(f"{picture} exists; remove it, or name another")
+    refuse_existing(picture, overwrite=given["force"])
     return picture
 
 

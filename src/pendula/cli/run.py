@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import click
 
@@ -12,6 +12,7 @@ from pendula.cli.options import value
 if TYPE_CHECKING:
     from pathlib import Path
 
+    from pendula._types import Array
     from pendula.run.trajectory import Trajectory
 
 _BEYOND = "the numbers grew beyond all bounds"
@@ -22,7 +23,7 @@ _OUT_OF_RANGE = "an angle left the range of the sine (2^26 rad)"
 
 
 def start_time() -> click.Option:
-    """The option --t0."""
+    """The time of the state at the start."""
     return value("t0", "start time [default: 0 s]")
 
 
@@ -39,45 +40,43 @@ def file_options() -> list[click.Parameter]:
     ]
 
 
-def seconds(text: str | None, name: str, standard: float = 0.0) -> float:
+def seconds(given: dict[str, Any], name: str, standard: float = 0.0) -> float:
     """The value of an option that takes a time."""
     from pendula.units import quantity
 
-    return standard if text is None else quantity(text, "s", name)
+    return standard if given[name] is None else quantity(given[name], "s", name)
 
 
-def spacing(text: str, span: float) -> float:
-    """The value of --every, within the span of the run."""
-    from pendula._checks import positive_number
-
-    every = positive_number("--every", seconds(text, "--every"), "s")
-    if every > span:
-        raise ValueError(
-            f"--every must not exceed the span of {span!r} s from --t0 to --until, got {every!r} s"
-        )
-    return every
-
-
-def span_of(t0: float, until: float) -> float:
-    """The time between start and end, which must not be zero."""
-    if until == t0:
-        raise ValueError(f"--until must differ from --t0 = {t0!r} s, got {until!r} s")
-    return abs(until - t0)
-
-
-def check_count(span: float, every: float, name: str) -> None:
-    """Refuse a run with more outputs than memory has room for.
+def times_apart(t0: float, t_max: float, every: float) -> Array:
+    """Output times so far apart.
 
     Raises:
-        ValueError: naming the option whose value is too small.
+        ValueError: where that is not positive, longer than the run, or too many of them.
     """
-    from pendula.run.solve import MOST_OUTPUTS
+    from pendula._checks import positive_number
+    from pendula._engine import MOST_OUTPUTS
+    from pendula._messages import ArgumentError
+    from pendula.run._times import spaced
 
+    span = span_of(t0, t_max)
+    if positive_number("every", every, "s") > span:
+        rule = "must not exceed the span of {span} s from <t0> to <t_max>, got {value} s"
+        raise ArgumentError("every", rule, span=span, value=every)
     if span / every > MOST_OUTPUTS:
-        raise ValueError(
-            f"{name} must give at most {MOST_OUTPUTS} outputs, got {every!r} s for "
-            f"{span / every:.3g}; set a larger time between outputs with --every"
-        )
+        rule = "must give at most {most} outputs, got {value} s for {count}"
+        details = {"most": MOST_OUTPUTS, "value": every, "count": span / every}
+        raise ArgumentError("every", rule, "take a longer time between them", **details)
+    return spaced(t0, t_max, every)
+
+
+def span_of(t0: float, t_max: float) -> float:
+    """The time between start and end, which must not be zero."""
+    from pendula._messages import ArgumentError
+
+    if t_max == t0:
+        rule = "must differ from <t0> = {t0} s, got {value} s"
+        raise ArgumentError("t_max", rule, t0=t0, value=t_max)
+    return abs(t_max - t0)
 
 
 def target(out: str | None, *, force: bool) -> Path | None:
@@ -98,7 +97,7 @@ def target(out: str | None, *, force: bool) -> Path | None:
     return path
 
 
-def check_outcome(run: Trajectory, until: float) -> None:
+def check_outcome(run: Trajectory, t_max: float) -> None:
     """Refuse a run that stopped before its end.
 
     Raises:
@@ -109,24 +108,23 @@ def check_outcome(run: Trajectory, until: float) -> None:
         last = f"{run.t[-1]:.6g}" if run.t.size else f"{asked.t0:g}"
         step = f" with step {asked.step:g} s" if asked.step else ""
         raise click.ClickException(
-            f"{run.method} stopped after t = {last} s of {until:g} s{step}: {_why(run, until)}"
+            f"{run.method} stopped after t = {last} s of {t_max:g} s{step}: {_why(run, t_max)}"
         )
 
 
-def _why(run: Trajectory, until: float) -> str:
-    """What ended a run: a method that blew up or did not settle, or an angle grown with speed."""
+def _why(run: Trajectory, t_max: float) -> str:
+    """What ended a run: its limit, a method that blew up, or an angle grown with speed."""
     if run.outcome != "not_finite":
-        return _TOO_MANY
+        limit = run.request.max_steps
+        return _TOO_MANY if limit is None else f"it took the {limit} steps that were allowed"
     import numpy as np
-
-    from pendula.systems import LinearPendulum
 
     last, t = (run.states[-1], run.t[-1]) if run.t.size else (run.request.state, run.request.t0)
     angles, speeds = np.split(np.abs(last), 2)
     with np.errstate(over="ignore", invalid="ignore"):
-        turned = (angles + speeds * abs(until - t) >= _engine.LARGEST_ANGLE).any()
+        turned = (angles + speeds * abs(t_max - t) >= _engine.LARGEST_ANGLE).any()
         grew = (np.abs(run.energy_error) > 1.0).any()
-    if turned and not grew and not isinstance(run.system, LinearPendulum):  # which takes no sine
+    if turned and not grew and run.system.can.periodic:  # its equations take the sine
         return _OUT_OF_RANGE
     if run.request.step is None:
         return _BEYOND

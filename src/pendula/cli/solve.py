@@ -9,19 +9,26 @@ import click
 
 from pendula import _engine
 from pendula.cli.events import EXAMPLES, event_of
-from pendula.cli.groups import all_systems, one_each
-from pendula.cli.options import start_of, start_options, system_of, system_options, value
+from pendula.cli.groups import one_each, systems_that
+from pendula.cli.options import (
+    run_options,
+    run_options_of,
+    start_of,
+    start_options,
+    system_of,
+    system_options,
+    value,
+)
 from pendula.cli.progress import late_bar
 from pendula.cli.run import (
-    check_count,
     check_outcome,
     deliver,
     file_options,
     seconds,
-    spacing,
     span_of,
     start_time,
     target,
+    times_apart,
 )
 
 if TYPE_CHECKING:
@@ -38,7 +45,7 @@ def _options(entry: SystemEntry) -> list[click.Parameter]:
         *system_options(entry),
         *start_options(entry),
         start_time(),
-        value("until", "end time", required=True),
+        value("t_max", "end time", required=True),
         click.Option(
             ["--method"],
             type=click.Choice(names),
@@ -46,10 +53,8 @@ def _options(entry: SystemEntry) -> list[click.Parameter]:
             show_default=True,
             help="see `pendula methods`",
         ),
-        value("step", "step size, e.g. 1ms (required by fixed-step methods)"),
-        value("tolerance", "of adaptive methods, 1e-3 or less [default: machine precision]"),
         value("every", "time between outputs [default: every step]"),
-        *_trust_options(),
+        *run_options(),
         click.Option(
             ["events", "--event"],
             multiple=True,
@@ -60,67 +65,34 @@ def _options(entry: SystemEntry) -> list[click.Parameter]:
     ]
 
 
-def _trust_options() -> list[click.Parameter]:
-    return [
-        value("certify", "also find until when every angle is accurate to this value, e.g. 1e-9"),
-        click.Option(
-            ["--digits"],
-            type=int,
-            metavar="N",
-            help="guaranteed digits of every output, 1 to 15, however chaotic the motion",
-        ),
-    ]
-
-
 def _solve(entry: SystemEntry, **given: Any) -> None:
-    from pendula._checks import positive_number
     from pendula.run.solve import solve
 
     system, start = system_of(entry, given), start_of(entry, given)
-    t0, until = seconds(given["t0"], "--t0"), seconds(given["until"], "--until")
-    method, step = given["method"], None
-    if given["step"] is not None:
-        step = positive_number("--step", seconds(given["step"], "--step"), "s")
-    asked: dict[str, Any] = {
-        "tolerance": _number(given["tolerance"], "", "--tolerance"),
-        "certify": _number(given["certify"], "rad", "--certify"),
-        "digits": given["digits"],
-        "events": [event_of(words) for words in given["events"]],
-    }
+    t0, t_max = seconds(given, "t0"), seconds(given, "t_max")
+    span_of(t0, t_max)
+    options = run_options_of(given)
+    options["events"] = [event_of(words) for words in given["events"]]
     out = target(given["out"], force=given["force"])
-    times = _times(t0, until, step, given["every"], thin=out is None)
-    with late_bar(method) as progress:
-        run = solve(system, start, times, method, t0=t0, step=step, progress=progress, **asked)
-    check_outcome(run, until)
+    if given["every"] is not None:
+        times: float | Array = times_apart(t0, t_max, seconds(given, "every"))
+    else:
+        times = _own_times(t0, t_max, options.get("step"), thin=out is None)
+    with late_bar(given["method"]) as progress:
+        run = solve(system, start, times, given["method"], t0=t0, progress=progress, **options)
+    check_outcome(run, t_max)
     deliver(run, out, force=given["force"])
 
 
-def _number(text: str | None, unit: str, name: str) -> float | None:
-    from pendula.units import quantity
-
-    return None if text is None else quantity(text, unit, name)
-
-
-def _times(
-    t0: float, until: float, step: float | None, every: str | None, *, thin: bool
-) -> float | Array:
-    """The outputs asked for; without --every each step, or of a printed run every so many steps."""
+def _own_times(t0: float, t_max: float, step: float | None, *, thin: bool) -> float | Array:
+    """The end, for an output at each step; of a run that is printed, every so many steps."""
     from pendula._checks import LARGEST_COUNT
     from pendula.run._times import spaced
 
-    span = span_of(t0, until)
-    if step is not None and span / step > LARGEST_COUNT:
-        raise ValueError(f"--step must be larger for a span of {span!r} s, got {step!r} s")
-    if every is not None:
-        apart = spacing(every, span)
-        check_count(span, apart, "--every")
-        return spaced(t0, until, apart)
-    if step is None:
-        return until
-    if thin and span / step > _SHOWN:
-        return spaced(t0, until, step * math.ceil(span / step / _SHOWN))
-    check_count(span, step, "--step")
-    return until
+    steps = abs(t_max - t0) / step if step else 0.0
+    if step and thin and _SHOWN < steps <= LARGEST_COUNT:  # more are refused with the step
+        return spaced(t0, t_max, step * math.ceil(steps / _SHOWN))
+    return t_max
 
 
-command = one_each("solve", "Integrate a motion step by step.", all_systems(), _options, _solve)
+command = one_each("solve", "Integrate a motion step by step.", systems_that(), _options, _solve)

@@ -8,6 +8,8 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from pendula._messages import message_of
+
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
@@ -53,7 +55,7 @@ def cluster(scheduler: str | None) -> Iterator[Any]:
     try:
         yield client
     except RuntimeError as error:  # of the cluster
-        raise click.ClickException(str(error)) from error
+        raise click.ClickException(message_of(error)) from error
     finally:
         if client is not None:
             client.close()

@@ -17,7 +17,6 @@ if TYPE_CHECKING:
 
     from pendula._progress import Progress
     from pendula._types import Array
-    from pendula.run.events import Event
 
 
 MOST_THREADS = 1024

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from pendula._messages import ArgumentError
 from pendula.plot.style import degree_ticks
 
 if TYPE_CHECKING:
@@ -64,14 +65,18 @@ def picked(
         found = dataset[name].dims if name in dataset else None
         if found is None or set(found) != set(_DIMS):
             has = "has none" if found is None else f"has ({', '.join(map(str, found))})"
-            raise ValueError(
-                f"dataset must hold {name} over theta1 and theta2, but {has}; "
-                f"give what pendula.{caller} returned"
+            raise ArgumentError(
+                "dataset",
+                "must hold {text} over theta1 and theta2, but {place}",
+                f"give what pendula.{caller} returned",
+                text=name,
+                place=has,
             )
     centres = [np.asarray(dataset[dim].values, dtype=np.float64) for dim in _DIMS]
     for dim, values in zip(_DIMS, centres, strict=True):
         if values.size == 0 or not (np.diff(values) > 0).all():
-            raise ValueError(f"dataset must have rising cell centres, got {dim} = {values[:4]}")
+            rule = "must have rising cell centres, got {text}"
+            raise ArgumentError("dataset", rule, text=f"{dim} = {values[:4]}")
     strides = [-(-values.size // MOST) for values in centres]
     places = {dim: slice(k // 2, None, k) for dim, k in zip(_DIMS, strides, strict=True)}
     x, y = (np.degrees(v[places[dim]]) for dim, v in zip(_DIMS, centres, strict=True))

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from pendula._checks import one_of
+from pendula._messages import ArgumentError
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -53,9 +54,10 @@ def time_scale(attributes: Mapping[Any, Any], time_unit: str) -> TimeScale:
         parameters = recipe["system"]["parameters"]
         unit = math.sqrt(parameters["l1"] / parameters["gravity"])
     except (KeyError, TypeError):
-        raise ValueError(
-            'time_unit = "natural" needs a dataset whose attribute "pendula" tells l1 and gravity; '
-            'take time_unit = "s"'
+        raise ArgumentError(
+            "time_unit",
+            '= "natural" needs a dataset whose attribute "pendula" tells l1 and gravity',
+            'take time_unit = "s"',
         ) from None
     alike = parameters.get("l2", parameters["l1"]) == parameters["l1"]
     return TimeScale(unit, "√(l/g)" if alike else "√(l₁/g)", *told)
@@ -69,8 +71,10 @@ def growth_time(attributes: Mapping[Any, Any]) -> float:
     """
     t_max = _seconds(attributes)
     if t_max is None or not t_max > 0.0:
-        raise ValueError(
-            'dataset must have the attribute "t_max" [s]; give what pendula.divergence_map returned'
+        raise ArgumentError(
+            "dataset",
+            'must have the attribute "t_max" [s]',
+            "give what pendula.divergence_map returned",
         )
     return t_max
 

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from pendula._checks import one_of
+from pendula._messages import ArgumentError
 from pendula.plot.grid import Grid, angle_axes, picked
 from pendula.plot.labels import Labels, labels
 from pendula.plot.map_scale import growth_time, number_ticks, time_scale
@@ -148,7 +149,8 @@ def _logarithmic(times: Array, limits: Limits) -> tuple[Array, Normalize | None]
         return colours, None
     low, high = limits or (_above(times[flipped], _FEW), float(times[flipped].max()))
     if not 0 < low <= high:
-        raise ValueError(f"limits must be two times, 0 < low <= high, got {low:g} and {high:g}")
+        rule = "must be two times, 0 < low <= high, got {low} and {high}"
+        raise ArgumentError("limits", rule, low=low, high=high)
     norm = LogNorm(low, high if high > low else 1.01 * low)
     colours[flipped] = _palette()(norm(times[flipped]))[:, :3]
     return colours, norm

@@ -43,7 +43,7 @@ def _refuse(system: ClosedForm, states: Array, elapsed: Array, out: Array) -> No
     raise ArgumentError(
         "t",
         "must lie within 2^{text} half periods of <t0>, which are all that is counted; take whole "
-        "periods off; got <t> - <t0> = {value} s from state {state}",
+        "periods off; got t - t0 = {value} s from state {state}",
         text=round(math.log2(system.most_half_periods)),
         value=float(elapsed[when]),
         state=states[which].tolist(),

@@ -5,7 +5,7 @@ from __future__ import annotations
 import inspect
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, fields
-from typing import TYPE_CHECKING, Any, TypedDict
+from typing import TYPE_CHECKING, Any, TypedDict, cast
 
 from pendula import _engine
 from pendula._checks import number, whole
@@ -51,9 +51,9 @@ class Options:
     @property
     def options(self) -> RunOptions:
         """These options as the arguments of `solve`."""
-        return RunOptions(**{name: getattr(self, name) for name in NAMES})  # type: ignore[typeddict-item]
+        return cast("RunOptions", {name: getattr(self, name) for name in NAMES})
 
-    def numbers(self) -> dict[str, float | int | None]:
+    def numbers(self) -> dict[str, Any]:
         """All but the events, by name."""
         return {name: getattr(self, name) for name in NAMES if name != "events"}
 

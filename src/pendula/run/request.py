@@ -94,13 +94,12 @@ def request_of(
     return replace(asked, tolerance=asked.tolerance or BEST_TOLERANCE) if chooses else asked
 
 
-def checked_name(method: object) -> str:
+def checked_name(method: object, argument: str = "method") -> str:
     """The name of a method, if it is a name at all; the core knows which there are."""
     if not isinstance(method, str):
         names = [each.name for each in _engine.methods()]
-        raise ArgumentError(
-            "method", "must be one of {choices}; got {value}", choices=names, value=method
-        )
+        rule = "must be one of {choices}; got {value}"
+        raise ArgumentError(argument, rule, choices=names, value=method)
     return method
 
 

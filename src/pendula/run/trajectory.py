@@ -14,7 +14,6 @@ from pendula._messages import ArgumentError
 from pendula.run.closed_form import exact_states
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
     from os import PathLike
 
     import pandas as pd

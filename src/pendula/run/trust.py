@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from pendula import _engine
 from pendula._messages import ArgumentError
@@ -30,11 +30,12 @@ class DigitsError(ArgumentError):
 
     Attributes:
         outcome: how a run that asks for them ends: "digits_limit" or "not_finite".
+        reason: why, and how far the run could be made.
     """
 
-    def __init__(self, outcome: str, rule: str, way_out: str) -> None:
-        super().__init__("digits", rule, way_out)
-        self.outcome = outcome
+    def __init__(self, outcome: str, reason: str, rule: str, way_out: str, **details: Any) -> None:
+        super().__init__("digits", rule, way_out, **details)
+        self.outcome, self.reason = outcome, reason
 
 
 def digits_states(
@@ -76,8 +77,8 @@ def digits_states(
             runs.tell(1.0)
             return higher[..., 0].copy(), runs.levels[level]
         if level + 1 == len(runs.levels):
-            until = times[good.argmin() - 1] if good[0] else t0
-            raise runs.too_far(digits, float(until))
+            last = times[good.argmin() - 1] if good[0] else t0
+            raise runs.too_far(digits, float(last))
         lower = higher
         runs.plan(level + 1)
 
@@ -154,13 +155,18 @@ class _LongRuns:
         lost = self.levels[0] - float(common[: last + 1].min())
         return float(GROWTH_ALLOWED * lost * seen[1] / seen[0])
 
-    def too_far(self, digits: int, until: float) -> DigitsError:
+    def too_far(self, digits: int, t_max: float) -> DigitsError:
         """The error that says how far it goes."""
         return DigitsError(
             "digits_limit",
-            f"= {digits} at t = {float(self.times[-1]):g} s would take more than the "
-            f"{self.levels[-1]} digits of working precision that there are",
-            f"end the run at about t = {until:g} s, or ask for fewer digits",
+            f"they can be had up to about t = {t_max:g} s",
+            "= {digits} at t = {t} s would take more than the {precision} digits of working "
+            "precision that there are",
+            "end the run at about t = {t_max} s, or ask for fewer digits",
+            digits=digits,
+            t=float(self.times[-1]),
+            precision=self.levels[-1],
+            t_max=t_max,
         )
 
     def plan(self, *levels: int) -> None:
@@ -189,9 +195,11 @@ class _LongRuns:
         if result.outcome != "reached_end":
             raise DigitsError(
                 "not_finite",
-                f"needs angles below 2^50 = {_engine.LARGEST_LONG_ANGLE:.3g} rad all the way to "
-                f"t = {float(wanted[-1])!r} s",
+                f"an angle grows beyond {_engine.LARGEST_LONG_ANGLE:.3g} rad",
+                "needs angles below 2^50 = {most} rad all the way to t = {value} s",
                 "start from a smaller angle, or end the run before",
+                most=_engine.LARGEST_LONG_ANGLE,
+                value=float(wanted[-1]),
             )
         self.done += work
         d = self.state.size

@@ -37,21 +37,21 @@ def _check_spans(recipe: Recipe, blame: Blame) -> None:
     simple, double, convergence = recipe.simple, recipe.double, recipe.convergence
     finest = min(convergence.steps)
     rows = (
-        ("simple", "step", simple.step, simple.until, _MOST_STEPS),
-        ("simple", "output", simple.output, simple.until, _MOST_POINTS),
-        ("double", "step", double.step, double.until, _MOST_STEPS),
-        ("double", "reference_step", double.reference_step, double.until, _MOST_STEPS),
-        ("double", "output", double.output, double.until, _MOST_POINTS),
-        ("convergence", "steps", max(convergence.steps), convergence.until, _MOST_POINTS),
-        ("convergence", "steps", finest, convergence.until, _MOST_STEPS),
+        ("simple", "step", simple.step, simple.t_max, _MOST_STEPS),
+        ("simple", "output", simple.output, simple.t_max, _MOST_POINTS),
+        ("double", "step", double.step, double.t_max, _MOST_STEPS),
+        ("double", "reference_step", double.reference_step, double.t_max, _MOST_STEPS),
+        ("double", "output", double.output, double.t_max, _MOST_POINTS),
+        ("convergence", "steps", max(convergence.steps), convergence.t_max, _MOST_POINTS),
+        ("convergence", "steps", finest, convergence.t_max, _MOST_STEPS),
     )
-    for section, key, step, until, most in rows:
-        if step > until:
-            rule = f"{section}.{key} must not be longer than {section}.until = {until:g} s"
-            raise blame(section, (key, "until"), f"{rule}, got {step:g} s")
-        if until / step > most:
-            rule = f"{section}.until / {section}.{key} must be at most {most}"
-            raise blame(section, (key, "until"), f"{rule}, got {until / step:.0f}")
+    for section, key, step, t_max, most in rows:
+        if step > t_max:
+            rule = f"{section}.{key} must not be longer than {section}.t_max = {t_max:g} s"
+            raise blame(section, (key, "t_max"), f"{rule}, got {step:g} s")
+        if t_max / step > most:
+            rule = f"{section}.t_max / {section}.{key} must be at most {most}"
+            raise blame(section, (key, "t_max"), f"{rule}, got {t_max / step:.0f}")
     if len(set(convergence.steps)) < 2:
         rule = "convergence.steps must hold two different steps to measure an order"
         raise blame("convergence", ("steps",), f"{rule}, got {finest:g} s alone")
@@ -82,20 +82,20 @@ def _check_simple(recipe: Recipe, blame: Blame) -> None:
 
 def _check_phase(recipe: Recipe, pendulum: SimplePendulum, blame: Blame) -> None:
     """The exact solution knows no phase after too many periods."""
-    for section, until in (
-        ("simple", recipe.simple.until),
-        ("convergence", recipe.convergence.until),
+    for section, t_max in (
+        ("simple", recipe.simple.t_max),
+        ("convergence", recipe.convergence.t_max),
     ):
         try:
-            exact(pendulum, (recipe.simple.large, 0.0), until)
+            exact(pendulum, (recipe.simple.large, 0.0), t_max)
         except ValueError:
             period = math.tau / pendulum.natural_frequency
             raise blame(
                 "simple",
-                ("length", "gravity", "until"),
-                f"{section}.until must not hold so many periods of the simple pendulum that "
-                f"rounding hides its motion, got {until:g} s at {period:.3g} s a period; take a "
-                f"shorter {section}.until or a longer simple.length",
+                ("length", "gravity", "t_max"),
+                f"{section}.t_max must not hold so many periods of the simple pendulum that "
+                f"rounding hides its motion, got {t_max:g} s at {period:.3g} s a period; take a "
+                f"shorter {section}.t_max or a longer simple.length",
             ) from None
 
 

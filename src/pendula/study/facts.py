@@ -52,7 +52,7 @@ def _simple(results: Results, numbers: Numbers) -> dict[str, Any]:
         "small_period": numbers.plain(math.tau / frequency, 5),
         "gentle": numbers.chosen_degrees(part.gentle),
         "large": numbers.chosen_degrees(part.large),
-        "until": numbers.short(part.until),
+        "until": numbers.short(part.t_max),
         "step": numbers.duration(part.step),
         "steps_a_period": numbers.plain(math.tau / frequency / part.step),
     }
@@ -182,7 +182,7 @@ def _orders(results: Results, words: Labels, numbers: Numbers) -> dict[str, Any]
     return {
         "rows": rows,
         "all_measured": not any("—" in row for row in rows),
-        "until": numbers.short(recipe.until),
+        "until": numbers.short(recipe.t_max),
         "coarsest": numbers.duration(max(recipe.steps)),
         "finest": numbers.duration(min(recipe.steps)),
     }
@@ -199,8 +199,8 @@ def _double(results: Results, words: Labels, numbers: Numbers) -> dict[str, Any]
         "omega1": numbers.short(part.omega1),
         "omega2": numbers.short(part.omega2),
         "gravity": numbers.short(part.gravity, 7),
-        "until": numbers.short(part.until),
-        "path_until": numbers.short(min(part.path_until, part.until)),
+        "until": numbers.short(part.t_max),
+        "path_until": numbers.short(min(part.path_until, part.t_max)),
         "step": numbers.duration(part.step),
         "reference_step": numbers.duration(part.reference_step),
         "half_step": numbers.duration(part.reference_step / 2),

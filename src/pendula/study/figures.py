@@ -139,8 +139,8 @@ class Figures:
         return plot.angles([self._double_runs()], **self._language)
 
     def _double_paths(self) -> Figure:
-        until = self._results.recipe.double.path_until
-        runs = {name: _until(run, until) for name, run in self._double_runs().items()}
+        end = self._results.recipe.double.path_until
+        runs = {name: _up_to(run, end) for name, run in self._double_runs().items()}
         return plot.tip_paths(runs, **self._language)
 
     def _double_energy(self) -> Figure:
@@ -171,6 +171,6 @@ def _energy_errors(runs: dict[str, Trajectory]) -> dict[str, Array]:
     return errors
 
 
-def _until(run: Trajectory, until: float) -> Trajectory:
-    kept = run.t <= until
+def _up_to(run: Trajectory, t: float) -> Trajectory:
+    kept = run.t <= t
     return replace(run, t=run.t[kept], states=run.states[kept])

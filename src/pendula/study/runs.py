@@ -46,7 +46,7 @@ REPETITIONS = ((1.0, 0.5), (3.0, 1.0), (5.0, 1.0), (7.0, 1.0))
 # Keys that a reference run may break down by, after its step.
 _START = tuple(
     ("double", key)
-    for key in ("omega1", "omega2", "theta1", "theta2", "gravity", "l1", "l2", "m1", "m2", "until")
+    for key in ("omega1", "omega2", "theta1", "theta2", "gravity", "l1", "l2", "m1", "m2", "t_max")
 )
 
 
@@ -139,7 +139,7 @@ def compute(recipe: Recipe) -> Results:
     part = recipe.simple
     linear = LinearPendulum(part.length, part.gravity, part.mass)
     simple = SimplePendulum(part.length, part.gravity, part.mass)
-    t = times(part.until, part.output)
+    t = times(part.t_max, part.output)
     releases = {"gentle": (part.gentle, 0.0), "large": (part.large, 0.0)}
     models = {n: (exact(simple, s, t), exact(linear, s, t)) for n, s in releases.items()}
     gentle, large = models["gentle"][1], models["large"][0]
@@ -158,10 +158,10 @@ def compute(recipe: Recipe) -> Results:
     )
 
 
-def times(until: float, output: float) -> Array:
-    """Times from 0 at which points are kept [s], (n,); the last is not after `until`."""
+def times(t_max: float, output: float) -> Array:
+    """Times from 0 at which points are kept [s], (n,); the last is not after `t_max`."""
     # A span that is a whole number of outputs but for rounding has them all.
-    count = math.floor(until / output * (1 + 1e-12)) + 1
+    count = math.floor(t_max / output * (1 + 1e-12)) + 1
     return np.arange(count, dtype=np.float64) * output
 
 
@@ -182,7 +182,7 @@ def _comparison(
 def _double(recipe: Recipe) -> DoubleComparison:
     part = recipe.double
     system, state = double_pendulum(part)
-    t = times(part.until, part.output)
+    t = times(part.t_max, part.output)
     reference = solve(system, state, t, "rk4", step=part.reference_step)
     repeated = list(_repeated(part, t))
     place = recipe.place(("double", "reference_step"), *_START)
@@ -250,7 +250,7 @@ def _orders(
     part: Convergence, linear: LinearPendulum, simple: SimplePendulum, recipe: Recipe
 ) -> Orders:
     steps = np.array(sorted(part.steps, reverse=True))
-    t = times(part.until, float(steps[0]))
+    t = times(part.t_max, float(steps[0]))
     rods, start = double_pendulum(recipe.double)
     gentle, large = (recipe.simple.gentle, 0.0), (recipe.simple.large, 0.0)
     # A quarter of the finest step makes RK4's own error there 4⁴ = 256 times smaller.

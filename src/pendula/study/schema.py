@@ -65,7 +65,7 @@ class Simple:
     gravity: float = _value(_GRAVITY)
     gentle: float = _value(_AMPLITUDE)
     large: float = _value(_AMPLITUDE)
-    until: float = _value(_TIME)
+    t_max: float = _value(_TIME)
     step: float = _value(_TIME)
     output: float = _value(_TIME)
 
@@ -100,7 +100,7 @@ class Elliptic:
 class Convergence:
     """The methods' order."""
 
-    until: float = _value(_TIME)
+    t_max: float = _value(_TIME)
     steps: tuple[float, ...] = _value(Rule("s", low=0, many=True))
 
 
@@ -125,7 +125,7 @@ class Double:
     theta2: float = _value(_ANGLE)
     omega1: float = _value(_RATE)
     omega2: float = _value(_RATE)
-    until: float = _value(_TIME)
+    t_max: float = _value(_TIME)
     step: float = _value(_TIME)
     output: float = _value(_TIME)
     path_until: float = _value(_TIME)

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from pendula._checks import extra
+from pendula._messages import Message
 from pendula._version import __version__
 from pendula.plot.labels import labels
 from pendula.study.recipe import read_recipe
@@ -102,7 +103,8 @@ def _check_free(target: Path, *, overwrite: bool) -> None:
     if not target.exists() and not target.is_symlink():
         return
     if not overwrite:
-        raise FileExistsError(f"{target} exists already; choose another folder or overwrite it")
+        way_out = "choose another folder, or pass <overwrite=True>"
+        raise FileExistsError(Message("", "{path} exists already", way_out, path=target))
     contents = {entry.name for entry in target.iterdir()} if target.is_dir() else None
     if target.is_symlink() or contents is None or (contents and not contents >= _MARKS):
         raise FileExistsError(f"{target} is not a study, so it is not replaced; choose another")

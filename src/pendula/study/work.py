@@ -35,10 +35,10 @@ def work(
         (rods, start),
     )
     for system, state in cases:
-        until = part.swings * time_scale(system, state)
+        t_max = part.swings * time_scale(system, state)
         try:
             found[system.name] = work_precision(
-                system, state, until, points=part.points, timed=False
+                system, state, t_max, points=part.points, timed=False
             )
         except ValueError as error:
             place = recipe.place(*(("work", key) for key in _KEYS))

@@ -9,6 +9,7 @@ import uuid
 from typing import TYPE_CHECKING, Any
 
 from pendula._checks import extra
+from pendula._messages import ArgumentError, Message
 from pendula._version import __version__
 
 if TYPE_CHECKING:
@@ -32,9 +33,11 @@ def connect(scheduler: str) -> Any:
     """
     distributed = extra("distributed", "cluster")
     if not _ADDRESS.fullmatch(scheduler):
-        raise ValueError(
-            f"scheduler must be an address such as tcp://localhost:8786, got {scheduler!r}; "
-            "it is what dask scheduler prints when it starts"
+        raise ArgumentError(
+            "scheduler",
+            "must be an address such as tcp://localhost:8786, got {value}",
+            "it is what dask scheduler prints when it starts",
+            value=scheduler,
         )
     try:
         return distributed.Client(scheduler, timeout=_PATIENCE, set_as_default=False)
@@ -51,9 +54,11 @@ def check_client(client: Any) -> None:
         ValueError: for anything else, such as an address.
     """
     if not isinstance(client, extra("distributed", "cluster").Client):
-        raise ValueError(
-            "client must be a Client of dask.distributed, such as "
-            f'distributed.Client("tcp://host:8786"), got {client!r}'
+        raise ArgumentError(
+            "client",
+            "must be a Client of dask.distributed, such as "
+            'distributed.Client("tcp://host:8786"), got {value}',
+            value=client,
         )
 
 
@@ -96,7 +101,7 @@ def spread(
         lost = distributed.KilledWorker, distributed.CancelledError
         if client.status == "running" and not isinstance(error, lost):
             raise  # the chunk's own
-        raise RuntimeError(f"{_reason(error)}; what is complete is kept") from error
+        raise RuntimeError(_reason(error)) from error
     finally:
         if client.status == "running":
             client.cancel(list(under_way))
@@ -123,14 +128,21 @@ def _computed(compute: Compute, chunk: Chunk, threads: int, version: str) -> Arr
     return compute(chunk, threads, None)
 
 
-def _reason(error: Exception) -> str:
+def _reason(error: Exception) -> Message:
     """What a cluster's failure was, in one line, and the way out."""
     killed = getattr(error, "allowed_failures", None)
     if killed is not None:
         name = str(getattr(error, "task", "")).partition("-")[2].partition("-")[2]
-        return (
-            f"{killed + 1} workers ended with chunk ({name.replace('-', ', ')}) or one beside it; "
-            "see their logs, or take smaller chunks or workers with more memory"
+        return Message(
+            "",
+            "{count} workers ended with chunk ({text}) or one beside it; see their logs, or take "
+            "smaller chunks or workers with more memory; what is complete is kept",
+            count=killed + 1,
+            text=name.replace("-", ", "),
         )
-    reason = getattr(error, "reason", type(error).__name__)
-    return f"the cluster dropped the work ({reason}); mend it, then run the same call again"
+    return Message(
+        "",
+        "the cluster dropped the work ({text}); mend it, then run <call=the same call again>; "
+        "what is complete is kept",
+        text=getattr(error, "reason", type(error).__name__),
+    )

@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Protocol
 
 from pendula._checks import MissingExtraError, extra
+from pendula._messages import ArgumentError, Message
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -49,9 +50,11 @@ def place_at(store: str | os.PathLike[str]) -> Place:
     """The place of a path, or of a URL such as s3://bucket/flips.zarr."""
     text = checked_name(store)
     if Path(text).suffix in _FILES:
-        raise ValueError(
-            f"store must be a Zarr store such as 'map.zarr', got {text!r}; other files are written "
-            "from the dataset"
+        raise ArgumentError(
+            "store",
+            "must be a Zarr store such as 'map.zarr', got {value}",
+            "other files are written from the dataset",
+            value=text,
         )
     return Remote(text) if "://" in text else Folder(Path(text))
 
@@ -64,7 +67,8 @@ def checked_name(store: object) -> str:
     """
     text = os.fspath(store) if isinstance(store, (str, os.PathLike)) else store
     if not isinstance(text, str) or not text:
-        raise ValueError(f"store must be a path or a URL such as 'map.zarr', got {text!r}")
+        rule = "must be a path or a URL such as 'map.zarr', got {value}"
+        raise ArgumentError("store", rule, value=text)
     return text
 
 
@@ -264,13 +268,15 @@ def _sync_folder(path: Path) -> None:
 
 def _cannot_write(target: Path | str, error: OSError) -> OSError:
     """One line, with the way out; of the same kind and number."""
-    way_out = (
-        "make room, then run the same call again"
-        if error.errno in _FULL
-        else "when that is mended, run the same call again"
+    first = "make room, then" if error.errno in _FULL else "when that is mended,"
+    shown = type(error)(
+        Message(
+            "",
+            "cannot write {path}: {text}",
+            f"complete chunks are kept: {first} run <call=the same call again>",
+            path=target,
+            text=error.strerror or error,
+        )
     )
-    told = type(error)(
-        f"cannot write {target}: {error.strerror or error}; complete chunks are kept: {way_out}"
-    )
-    told.errno = error.errno
-    return told
+    shown.errno = error.errno
+    return shown

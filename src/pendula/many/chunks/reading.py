@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from zarr.storage import FsspecStore, LocalStore, WrapperStore
 
+from pendula._messages import Message
 from pendula.many.chunks.layout import whole
 
 if TYPE_CHECKING:
@@ -32,14 +33,17 @@ class CheckedStore(WrapperStore[Any]):
             raise ValueError(self._damaged(key))
         return found
 
-    def _damaged(self, key: str) -> str:
+    def _damaged(self, key: str) -> Message:
         """What is wrong, and the way out; chunks far away are not read again to find it."""
         here = getattr(self._store, "root", None)
         path = f"{here or self._store.path}/{key}"
         remove = "" if here else "remove it and "
-        return (
-            f"{path} is damaged: its checksum does not fit; {remove}run the call that made the "
-            "store again: it computes the damaged chunk and keeps the others"
+        return Message(
+            "",
+            "{path} is damaged: its checksum does not fit",
+            f"{remove}run <call=the call that made the store again>: it computes the damaged "
+            "chunk and keeps the others",
+            path=path,
         )
 
 

@@ -11,6 +11,7 @@ from __future__ import annotations
 import json
 from typing import TYPE_CHECKING, Any
 
+from pendula._messages import Message
 from pendula.many.chunks.layout import CHECKSUM, ROOT, Layout, whole
 from pendula.many.chunks.work import KEY
 
@@ -113,13 +114,23 @@ class Store:
         if different is not None:
             name, old, new = different
             raise ValueError(
-                f"{place} holds another computation: {name} is {old} there and {new} here; "
-                "choose another name, or pass overwrite=True"
+                Message(
+                    "",
+                    "{path} holds another computation: {text}",
+                    "choose another name, or pass <overwrite=True>",
+                    path=place,
+                    text=f"{name} is {old} there and {new} here",
+                )
             )
         if not resume:
             raise FileExistsError(
-                f"{place} exists; pass resume=True to go on with it, overwrite=True to begin "
-                "anew, or choose another name"
+                Message(
+                    "",
+                    "{path} exists",
+                    "pass <resume=True> to go on with it, <overwrite=True> to begin anew, or "
+                    "choose another name",
+                    path=place,
+                )
             )
 
 

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from pendula import _engine
 from pendula._checks import finite_number, whole_number
+from pendula._messages import ArgumentError
 from pendula.many.chunks import Axis
 
 if TYPE_CHECKING:
@@ -115,14 +116,15 @@ def checked_cells(theta1: object, theta2: object, shape: object) -> Cells:
     """
     counts = tuple(shape) if isinstance(shape, Iterable) else (shape,)
     if len(counts) != 2:
-        raise ValueError(f"shape must be two numbers of cells, such as (500, 500), got {shape!r}")
-    try:
-        n1, n2 = (whole_number("shape", count, MOST_CELLS) for count in counts)
-    except ValueError as error:
-        raise ValueError(f"{error} in {counts}") from None
+        rule = "must be two numbers of cells, such as (500, 500), got {value}"
+        raise ArgumentError("shape", rule, value=shape)
+    n1, n2 = (whole_number("shape", count, MOST_CELLS) for count in counts)
     if n1 * n2 > MOST_OF_ALL:
-        raise ValueError(
-            f"shape must be at most 10^10 cells in all, got {n1} x {n2}; take a smaller rectangle"
+        raise ArgumentError(
+            "shape",
+            "must be at most 10^10 cells in all, got {text}",
+            "take a smaller rectangle",
+            text=f"{n1} x {n2}",
         )
     return Cells(
         (_checked_range(NAMES[0], theta1, n1), _checked_range(NAMES[1], theta2, n2)), (n1, n2)
@@ -133,22 +135,19 @@ def _checked_range(name: str, given: object, count: int) -> tuple[float, float]:
     """A range within that of the sine, whose cells' centres are different doubles."""
     pair = tuple(given) if isinstance(given, Iterable) else (given,)
     if len(pair) != 2:
-        raise ValueError(f"{name} must be a range (lo, hi) [rad], got {given!r}")
+        raise ArgumentError(name, "must be a range (lo, hi) [rad], got {value}", value=given)
     lo, hi = (finite_number(name, value, "rad") for value in pair)
     if not lo < hi:
-        raise ValueError(
-            f"{name} must be a range (lo, hi) with lo < hi [rad], got ({lo!r}, {hi!r})"
-        )
+        rule = "must be a range (lo, hi) with lo < hi [rad], got {value}"
+        raise ArgumentError(name, rule, value=(lo, hi))
     largest = max(abs(lo), abs(hi))
     if largest > _engine.LARGEST_ANGLE:
-        raise ValueError(
-            f"{name} must lie within ±2^26 rad, got ({lo!r}, {hi!r}); take whole turns off"
-        )
+        rule = "must lie within ±2^26 rad, got {value}"
+        raise ArgumentError(name, rule, "take whole turns off", value=(lo, hi))
     if hi - lo < 2 * count * math.ulp(largest):
-        raise ValueError(
-            f"{name} must be a range whose {count} cells are different doubles, "
-            f"got ({lo!r}, {hi!r}); take a wider one, or fewer cells"
-        )
+        rule = "must be a range whose {count} cells are different doubles, got {value}"
+        way_out = "take a wider one, or fewer cells"
+        raise ArgumentError(name, rule, way_out, count=count, value=(lo, hi))
     return lo, hi
 
 

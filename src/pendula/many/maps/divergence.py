@@ -76,10 +76,11 @@ def divergence_map(
     apart = positive_number("separation", separation, "rad")
     if not SMALLEST_SEPARATION <= apart <= LARGEST_SEPARATION:
         rule = (
-            f"must lie between {SMALLEST_SEPARATION:g} and {LARGEST_SEPARATION:g} rad, got {{value}}: "
-            "nearer they are one, farther apart no neighbours"
+            "must lie between {least} and {most} rad, got {value}: nearer they are one, farther "
+            "apart no neighbours"
         )
-        raise ArgumentError("separation", rule, value=apart)
+        least, most = SMALLEST_SEPARATION, LARGEST_SEPARATION
+        raise ArgumentError("separation", rule, value=apart, least=least, most=most)
     asked = DivergenceMap(*where, apart, checked_tolerance(system, where[-1], tolerance))
     how: dict[str, Any] = {"client": client, "progress": progress, "threads": threads}
     return asked.dataset(store, **how, resume=resume, overwrite=overwrite)

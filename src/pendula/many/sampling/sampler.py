@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from pendula._checks import LARGEST_COUNT, one_of, whole_number
+from pendula._messages import ArgumentError
 from pendula.many.sampling.bits import words
 from pendula.many.sampling.distributions import (
     KINDS,
@@ -51,16 +52,19 @@ class Sampler:
     def __post_init__(self) -> None:
         names = [name for name, _ in self.columns]
         if len(set(names)) < len(names):
-            raise ValueError(f"columns must have different names, got {', '.join(names)}")
+            rule = "must have different names, got {choices}"
+            raise ArgumentError("columns", rule, choices=names)
         known = {name: each for name, each in self.columns if not isinstance(each, SameAs)}
         for name, each in self.columns:
             if isinstance(each, SameAs):
                 one_of(f"{name}: same_as", each.column, known)
         whole_number("draws", self.draws, LARGEST_COUNT)
         if self.draws > 1 and not self.random:
-            raise ValueError(f"draws must be 1 where nothing is random, got {self.draws}")
+            rule = "must be 1 where nothing is random, got {value}"
+            raise ArgumentError("draws", rule, value=self.draws)
         if isinstance(self.seed, bool) or not 0 <= self.seed <= LARGEST_SEED:
-            raise ValueError(f"seed must be a whole number from 0 to 2^64 - 1, got {self.seed!r}")
+            rule = "must be a whole number from 0 to 2^64 - 1, got {value}"
+            raise ArgumentError("seed", rule, value=self.seed)
         if self.count > LARGEST_COUNT:
             raise ValueError(f"there must be at most 2^53 rows, got {self.count}")
 

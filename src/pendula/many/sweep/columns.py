@@ -16,6 +16,7 @@ from pendula.many.sampling import (
     SameAs,
     Uniform,
 )
+from pendula.units import example_of, quantity
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -26,14 +27,6 @@ if TYPE_CHECKING:
 _RANGES: dict[str, type[Uniform | LogUniform]] = {"uniform": Uniform, "log_uniform": LogUniform}
 _LISTS: dict[str, type[Choice | Listed]] = {"choice": Choice, "list": Listed}
 _NAMES = [name for name in KINDS if name != "fixed"]  # a quantity alone is one
-_EXAMPLES = {
-    "m": "50 cm",
-    "kg": "500 g",
-    "rad": "30 deg",
-    "rad/s": "0 rad/s",
-    "m/s^2": "9.81 m/s^2",
-    "kg m^2": "0.1 kg m^2",
-}
 
 
 class Columns:
@@ -109,9 +102,8 @@ class Columns:
             return _LISTS[kind](tuple(numbers))
         if len(numbers) != 2:
             rule = "two ends and a count" if kind == "grid" else "two ends"
-            raise ValueError(
-                f"{where}: {kind} must be {rule}, got {as_toml(value)}; {_example(row)}"
-            )
+            message = f"{where}: {kind} must be {rule}, got {as_toml(value)}; {_example(row)}"
+            raise ValueError(message)
         try:
             if kind == "grid":
                 return Grid(numbers[0], numbers[1], value[-1])
@@ -125,9 +117,7 @@ class Columns:
                 f"{section}.{row.name}: {kind} needs quantities with their units, in quotes, "
                 f"got {as_toml(part)}; {_example(row)}"
             )
-        from pendula.units import quantity
-
-        return quantity(part, row.unit, f"{section}.{row.name}")
+        return quantity(part, row.unit, row.name)
 
     def _same(
         self,
@@ -169,5 +159,4 @@ class Columns:
 
 
 def _example(row: Parameter | Component) -> str:
-    value = _EXAMPLES.get(row.unit, f"1 {row.unit}")
-    return f'write {row.name} = "{value}", say'
+    return f'write {row.name} = "{example_of(row.unit, " ")}", say'

@@ -71,13 +71,13 @@ def _kind(file: RecipeFile) -> tuple[SystemEntry, Form]:
         rule = f"system.kind is needed, one of {', '.join(entries)}"
         raise file.blame("system", ("",), f'{rule}; write kind = "double", say')
     with file.blaming("system", "kind", ""):
-        entry = entries[one_of("system.kind", given.get("kind"), entries)]
+        entry = entries[one_of("kind", given.get("kind"), entries)]
     forms = {form.name: form for form in entry.forms}
     if "form" in given and len(forms) == 1:
         message = f"system.form is not taken by the {entry.name} pendulum; leave it out"
         raise file.blame("system", ("form",), message)
     with file.blaming("system", "form"):
-        return entry, forms[one_of("system.form", given.get("form", entry.forms[0].name), forms)]
+        return entry, forms[one_of("form", given.get("form", entry.forms[0].name), forms)]
 
 
 def _systems(
@@ -93,8 +93,8 @@ def _systems(
             for name, each in columns:
                 if isinstance(each, SameAs):
                     values[name] = values[each.column]
-            told = {"name": entry.name, "form": form.name, "parameters": values}
-            systems.append(system_from(told))
+            description = {"name": entry.name, "form": form.name, "parameters": values}
+            systems.append(system_from(description))
     return systems
 
 
@@ -128,7 +128,7 @@ class _Run:
             rule = f"run.every must not exceed run.t_max = {t_max:g} s"
             raise file.blame("run", ("every", "t_max"), f"{rule}, got {every:g} s")
         fields = {row.name: self._option(row) for row in ROWS.values() if row.name in _OPTIONS}
-        with file.blaming_keys("run", _RUN):
+        with file.blaming("run", "method", ""):
             options = checked_types(fields, "sweep")
             method = checked_name(given.get("method", "taylor"))
             for system in self._systems:
@@ -172,7 +172,7 @@ class _Run:
         if raw is None:
             return None
         with self._file.blaming("run", key):
-            return whole_number(f"run.{key}", raw, most)
+            return whole_number(key, raw, most)
 
 
 def _check_size(file: RecipeFile, recipe: SweepRecipe) -> None:

@@ -7,6 +7,7 @@ from pathlib import PurePath
 from typing import TYPE_CHECKING, Any
 
 from pendula._checks import check_progress, whole_number
+from pendula._messages import ArgumentError
 from pendula.many.chunks import run
 from pendula.many.chunks.cluster import check_client
 from pendula.many.chunks.places import checked_name
@@ -86,7 +87,9 @@ def ending_of(store: str | os.PathLike[str]) -> str:
     text = checked_name(store)
     ending = PurePath(text).suffix.lower()
     if ending not in ENDINGS:
-        raise ValueError(f"store must end in {' or '.join(ENDINGS)}, got {text!r}")
+        rule = "must end in {any_of}, got {value}"
+        raise ArgumentError("store", rule, any_of=ENDINGS, value=text)
     if ending == ".parquet" and "://" in text:
-        raise ValueError(f"store must be a path to write Parquet, got {text!r}; a .zarr may be far")
+        rule = "must be a path to write Parquet, got {value}"
+        raise ArgumentError("store", rule, "use .zarr for URLs", value=text)
     return ending

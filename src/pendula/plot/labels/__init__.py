@@ -8,6 +8,8 @@ from functools import cache
 from importlib import resources
 from typing import Any
 
+from pendula._messages import ArgumentError
+
 LANGUAGES = ("en", "es")
 
 
@@ -41,7 +43,8 @@ class Labels:
 def labels(language: str) -> Labels:
     """The catalogue of a language; ValueError names the languages there are."""
     if language not in LANGUAGES:
-        raise ValueError(f"language must be one of {', '.join(LANGUAGES)}, got {language!r}")
+        rule = "must be one of {choices}, got {value}"
+        raise ArgumentError("language", rule, choices=LANGUAGES, value=language)
     text = resources.files(__name__).joinpath(f"{language}.toml").read_text(encoding="utf-8")
     catalogue: dict[str, Any] = tomllib.loads(text)
     return Labels(language=language, **catalogue)
