@@ -7,11 +7,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import pytest
 
+from horizons import horizon
 from pendula import DoublePendulum, Ensemble, LinearPendulum, SimplePendulum, ensemble, solve
 from pendula._engine import methods
 from pendula.events import angle, flip, tip_height, velocity_zero
-from pendula.run.solve import _reached
-from pendula.run.trust import horizon
 
 if TYPE_CHECKING:
     from pendula.systems import System
@@ -47,7 +46,8 @@ def check_alone(
         assert np.isnan(many.states[i, m:]).all()
         assert many.outcomes[i] == run.outcome
         assert many.n_steps[i] == run.n_steps
-        assert many.reached[i] == _reached(run)
+        assert many.n_evaluations[i] == run.n_evaluations
+        assert many.reached[i] == run.reached
         for mine, theirs in zip(many.events, run.events, strict=True):
             here = mine.trajectories == i
             np.testing.assert_array_equal(mine.times[here], theirs.times)

@@ -11,7 +11,8 @@ import numpy as np
 import pytest
 
 import pendula
-from pendula import DoublePendulum, LinearPendulum, SimplePendulum, Trajectory, exact, solve
+from alike import same
+from pendula import DoublePendulum, LinearPendulum, SimplePendulum, exact, solve
 from pendula._writing import replacing
 from pendula.events import angle, flip, tip_height, velocity_zero
 from pendula.io import files
@@ -51,32 +52,6 @@ RUNS = {
 }
 every_run = pytest.mark.parametrize("run", RUNS.values(), ids=RUNS)
 every_format = pytest.mark.parametrize("ending", list(files.FORMATS))
-
-
-def same(a: Trajectory, b: Trajectory) -> None:
-    """Every bit of both."""
-    assert a.system == b.system
-    assert (a.method, a.outcome, a.n_steps, a.n_evaluations) == (
-        b.method,
-        b.outcome,
-        b.n_steps,
-        b.n_evaluations,
-    )
-    assert a.t.tobytes() == b.t.tobytes()
-    assert a.states.tobytes() == b.states.tobytes()
-    assert a.request.state.tolist() == b.request.state.tolist()
-    assert (a.request.t0, a.request.step, a.request.max_steps) == (
-        b.request.t0, b.request.step, b.request.max_steps,
-    )  # fmt: skip
-    assert np.asarray(a.request.t).tolist() == np.asarray(b.request.t).tolist()
-    for name in ("tolerance", "events", "certify", "digits"):
-        assert getattr(a.request, name) == getattr(b.request, name)
-    assert (a.trust_horizon, a.precision) == (b.trust_horizon, b.precision)
-    assert len(a.events) == len(b.events)
-    for one, other in zip(a.events, b.events, strict=True):
-        assert one.times.tobytes() == other.times.tobytes()
-        assert one.states.tobytes() == other.states.tobytes()
-        assert one.states.shape == other.states.shape
 
 
 @every_run

@@ -9,7 +9,7 @@ from pendula.events import flip
 
 @pytest.mark.parametrize("t0", [1e14, -1e17])
 def test_times_that_cannot_be_told_apart_are_refused(t0: float) -> None:
-    with pytest.raises(ValueError, match="^t0 and t must be small enough to tell times apart"):
+    with pytest.raises(ValueError, match="^t must be small enough to tell times apart.* t0"):
         solve(DoublePendulum.rods(), (2.0, 1.0, 0.0, 0.0), t0 + 1024.0, t0=t0)
     fine = solve(DoublePendulum.rods(), (2.0, 1.0, 0.0, 0.0), 1e9 + 1.0, t0=1e9)
     assert fine.outcome == "reached_end"

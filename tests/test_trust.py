@@ -15,8 +15,9 @@ import pytest
 from mpmath import mp
 
 import truth
+from horizons import horizon
 from pendula import DoublePendulum, LinearPendulum, SimplePendulum, solve
-from pendula.run.trust import digits_states, horizon
+from pendula.run.trust import digits_states
 from stored import cases
 
 if TYPE_CHECKING:

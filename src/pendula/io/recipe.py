@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import math
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 from pendula._checks import one_of
@@ -84,13 +85,29 @@ def from_attributes(text: str, t: Array, states: Array, source: Path) -> Traject
         method = one_of("method", known["method"], ("exact", *(each.name for each in methods())))
         if states.shape[-1] != state.shape[-1] or state.shape[-1] != len(system.components):
             raise ValueError(f"states of {states.shape[-1]} components")
-        reached = float(known.get("reached", t[-1] if t.size else known["t0"]))
-        counts = known["outcome"], known["n_steps"], known["n_evaluations"], reached
-        return Trajectory(system, method, t, states, request, *counts, **_found(known))
+        counts = known["outcome"], known["n_steps"], known["n_evaluations"]
+        found = _found(known)
+        run = Trajectory(system, method, t, states, request, *counts, **found)
+        reached = known["reached"] if "reached" in known else _reached(run)
+        return replace(run, reached=float(reached))
     except (AttributeError, KeyError, TypeError, ValueError) as error:
         raise NotATrajectoryError(
             f"{source} does not hold a trajectory of pendula: its attributes lack or spoil {error}"
         ) from None
+
+
+def _reached(run: Trajectory) -> float:
+    """The time up to which a run was made, as far as files tell that do not say so [s]."""
+    asked = run.request
+    if run.method == "exact":
+        return math.inf
+    if run.outcome == "reached_end":
+        return asked.end
+    direction = -1.0 if asked.end < asked.t0 else 1.0
+    if asked.step is not None:
+        return asked.t0 + direction * run.n_steps * asked.step
+    known = (asked.t0, *run.t[-1:], *(time for each in run.events for time in each.times[-1:]))
+    return float(max(known, key=lambda time: direction * time))
 
 
 def _found(known: dict[str, Any]) -> dict[str, Any]:

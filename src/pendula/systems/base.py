@@ -61,7 +61,7 @@ class System:
 
     @property
     def largest_frequency(self) -> float:
-        """Of small oscillations; of the double pendulum, hardly more than that [rad/s]."""
+        """Of small oscillations, the fastest, or a bound of it [rad/s]."""
         return _engine.scales(self._description())[1]
 
     def rhs(self, states: ArrayLike, t: float = 0.0) -> Array:

@@ -127,6 +127,11 @@ class DoublePendulum(System):
         arguments = ", ".join(f"{name}={value!r}" for name, value in self.parameters.items())
         return f"DoublePendulum.{self.form}({arguments})"
 
+    @property
+    def largest_frequency(self) -> float:
+        """Of small oscillations: that of the fast mode [rad/s]."""
+        return self.normal_modes().frequencies[1]
+
     def normal_modes(self) -> NormalModes:
         """Frequencies and shapes of small oscillations.
 
