@@ -153,8 +153,7 @@ void bind_catalog(nb::module_& m) {
   m.attr("largest_angle") = pendula::largest_angle;
   m.attr("on_grid") = pendula::on_grid;
   m.attr("most_outputs") = static_cast<std::int64_t>(pendula::most_outputs);
-  m.def("series_order", &series_order, "tolerance"_a,
-        "The order of the series that the Taylor method takes.");
+  m.def("series_order", &series_order, "tolerance"_a, "The order of the series that the Taylor method takes.");
   m.def("rhs", &rhs, "description"_a, "states"_a, "t"_a, "Time derivative of each state, (n, d).");
   m.def("energies", &energies, "description"_a, "states"_a, "Kinetic and potential energy of each state [J].");
   m.def("positions", &positions, "description"_a, "states"_a, "Bob, or end of each rod, (n, d/2, 2) [m].");

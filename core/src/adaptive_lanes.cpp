@@ -32,7 +32,7 @@ class feed {
     if (rows_.parameters_apart != 0)
       one.change(Entry::template make<double>(asked_.system.form, rows_.parameters_of(n)));
     const double* const given = rows_.state_of(n);
-    if (first_output_ == 1) to_.output(n, 0, given);  // as it was given
+    if (first_output_ == 1) to_.output(n, 0, given);  // the given state, bit for bit
     typename Sys::state start;
     std::copy_n(given, start.size(), start.begin());
     one.start(asked_.t0, start);

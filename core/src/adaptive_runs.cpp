@@ -37,7 +37,7 @@ struct motion_of final : step_motion {
   double length;
 };
 
-// Hands outputs and events on to a receiver; states are computed only where there is an output.
+// Sends outputs and events to a receiver; states are computed only where there is an output.
 template <class Run>
 class reporter {
  public:
@@ -106,7 +106,7 @@ run_end solve(const request& asked, receiver& to) {
   std::span<const double> times = asked.times;
   if (asked.own_steps) times = {};
   const bool at_start = times.empty() || times[0] == asked.t0;
-  if (at_start) to.output(0, asked.t0, asked.state.data());  // as it was given
+  if (at_start) to.output(0, asked.t0, asked.state.data());  // the given state, bit for bit
   if (asked.end() == asked.t0) return {outcome::reached_end, 0, 0, asked.t0};
   return with_stepper(asked, [&]<class Stepper>(Stepper& stepper) {
     adaptive_run<Stepper> run(stepper, asked.t0, asked.end(), asked.events);

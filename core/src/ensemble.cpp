@@ -20,7 +20,7 @@ struct found_event {
   std::size_t state;  // where it begins among the worker's states
 };
 
-// What one worker hands on: every trajectory has a place of its own in the result.
+// Writes the results of one worker; every trajectory has its own place in the arrays.
 struct worker final : ensemble_receiver {
   worker(shared_work& work, ensemble_result& to, std::size_t outputs, std::size_t dimension)
       : work(&work), to(&to), outputs(outputs), dimension(dimension) {}

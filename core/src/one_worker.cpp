@@ -7,7 +7,7 @@ namespace pendula {
 
 namespace {
 
-// Asks the watcher itself, as nobody else is there to do so.
+// Asks the watcher itself: there is no other thread to do so.
 class work_of_one final : public shared_work {
  public:
   work_of_one(std::size_t count, const watcher& watch) : count_(count), watch_(watch) {}

@@ -36,10 +36,10 @@ class adaptive_run {
   adaptive_run(Stepper& stepper, const point_in_time& from, double end, double direction)
       : stepper_(stepper), time_(from), end_(end), direction_(direction) {}
 
-  // Steps on to the end. The consumer is told of the events in each step, in their order, by
-  // event(run, place in the list, tau), and of the step by step(run, stop), while the stepper still stands at its
-  // start: all of the motion up to `stop` after it is right. It answers whether to go on, as go_on(time, steps) does,
-  // which is asked every few milliseconds.
+  // Steps to the end. For each step the consumer gets its events, in their order, by event(run, place in the list,
+  // tau), and then the step by step(run, stop), while the stepper still stands at its start: the motion is valid up to
+  // `stop` after it. step() returns whether to go on, as go_on(time, steps) does, which is called every few
+  // milliseconds.
   template <class Consumer, class Poll>
   adaptive_result to_end(std::int64_t step_limit, Consumer&& consumer, Poll&& go_on) {
     adaptive_result result;

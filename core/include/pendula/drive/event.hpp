@@ -13,7 +13,7 @@ struct event {
   event_kind kind;
   int index = 0;              // of the angle or velocity, from 0
   double value = 0.0;         // that is passed,
-  double value_tail = 0.0;    // and what it goes on with
+  double value_tail = 0.0;    // plus this tail, below its last bit
   bool every_turn = false;    // an angle passes the value and any number of turns, too
   int direction = 0;          // 1: growing with time, −1: falling, 0: both
   std::int64_t terminal = 0;  // so many end the run; 0: none does

@@ -55,13 +55,13 @@ struct crossing {
 };
 
 // One event of one run. Target n is the value and n turns (or the value alone, n = 0); the motion is in gap n between
-// targets n and n + 1 (or above, or in gap −1 below). The gap it was last in tells whether a crossing next to the end
-// of a step has been seen already, or is still to be told.
+// targets n and n + 1 (or above, or in gap −1 below). The gap it was last in says whether a crossing next to the end
+// of a step has been reported already.
 class event_tracker {
  public:
   event_tracker(const event& what, int place) : what_(what), place_(place) {}
 
-  // Whether all crossings of the step can be found; a motion so fast that they cannot has come to its end.
+  // Whether all crossings of the step can be found; a motion too fast for that ends the run.
   template <class Stepper>
   bool countable(const Stepper& stepper) const {
     const auto few = [&](int angle, double most) {
@@ -145,8 +145,8 @@ class event_tracker {
     for (const passage& each : passages) pass(stepper, part.from + part.width * each.y, each.gap, found);
   }
 
-  // Which gap the motion is in at the start of a part; false where it is too near to a target to tell. Where it is not
-  // the gap it was left in, a crossing lies where the parts join.
+  // Which gap the motion is in at the start of a part; false where it is too near to a target to decide. Where it is
+  // not the gap it was left in, a crossing lies where the parts join.
   template <class Stepper>
   bool begin(const Stepper& stepper, piece part, double beside, const polynomial& p, double margin,
              std::vector<crossing>& found) {
@@ -219,7 +219,7 @@ class event_tracker {
     if constexpr (Positioned<system_of<Stepper>>) {
       return stepper.of().positions(y).back()[1] - what_.value;
     } else {
-      return __builtin_nan("");  // nobody asks for the height of what has no place
+      return __builtin_nan("");  // check() refuses heights of a system without positions
     }
   }
 

@@ -49,15 +49,15 @@ class fixed_run {
         step_(step),
         step_limit_(step_limit) {}
 
-  // Runs through `outputs` (their steps do not decrease) and hands each state to sink(index, state); a lane that
-  // has ended hands on NaN. go_on(steps taken) is asked now and then; false ends the run as interrupted.
+  // Runs through `outputs` (their steps do not decrease) and passes each state to sink(index, state), NaN for
+  // a lane that has ended. go_on(steps taken) is asked now and then; false ends the run as interrupted.
   template <class Sink, class Poll>
   results through(std::span<const fixed_output> outputs, Sink&& sink, Poll&& go_on) {
     end_lanes_not_finite(head_of(at_));
     for (std::size_t i = 0; i < outputs.size() && running_ > 0; ++i) {
       if (!advance(outputs[i].steps, go_on)) break;
       if (outputs[i].rest == 0.0) {
-        deliver(i, steps_ == 0 ? start_ : Method::state_of(system_, at_), sink);  // at t0 as it was given
+        deliver(i, steps_ == 0 ? start_ : Method::state_of(system_, at_), sink);  // at t0 the given state
       } else if (steps_ + shortened_ < step_limit_) {
         deliver(i, after_shortened_step(outputs[i].rest), sink);
       } else {
@@ -68,8 +68,8 @@ class fixed_run {
     return results_;
   }
 
-  // Hands on the state after each step by visit(number, state), and that of the last place where it is off the grid,
-  // until one of them says false.
+  // Calls visit(number, state) after each step, and at the last place where it is off the grid, until it returns
+  // false.
   template <class Visit>
   void each_step(fixed_output last, Visit&& visit) {
     for (; steps_ < last.steps;) {
@@ -116,7 +116,7 @@ class fixed_run {
     }
   }
 
-  // The loop all the time is spent in. It stops early only where a lane is not finite, and tells how many it took.
+  // The loop all the time is spent in. It stops early only where a lane is not finite, and returns the number of steps.
   [[gnu::noinline]] std::int64_t take_steps(carried& from, S h, std::int64_t most) const {
     carried at = from;
     std::int64_t n = 0;
@@ -136,7 +136,7 @@ class fixed_run {
       if (!lane_of(sound, i)) end_lane(i, outcome::not_finite);
   }
 
-  // The lane is laid to rest at the lowest point, where it stays and disturbs nobody.
+  // A lane that has ended is set to rest at the lowest point, where it stays.
   void end_lane(int i, outcome how) {
     if (ended_[i]) return;
     ended_[i] = true;

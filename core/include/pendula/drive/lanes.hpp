@@ -1,5 +1,5 @@
-// Many trajectories through the lanes of one stepper, each with its own time and step; a lane that has come to its end
-// takes the next trajectory. What comes out of one does not depend on its neighbours.
+// Many trajectories through the lanes of one stepper, each with its own time and step; a lane whose trajectory has
+// ended takes the next one. The result of a trajectory does not depend on its neighbours.
 #pragma once
 
 #include <algorithm>
@@ -61,13 +61,13 @@ struct lane_view {
   const System& of() const { return system; }
 };
 
-// Events in lanes need a stepper that tells how far its quantities can go within a step.
+// Events in lanes need a stepper that bounds its quantities within a step.
 template <class Stepper>
 inline constexpr bool finds_events_in_lanes = requires(const Stepper& stepper) { stepper.angle_reach(0); };
 
 // `Stepper` over lanes, `One` the same over plain numbers, through which a trajectory comes in. The feed gives and
 // takes:
-//     next(one)                            places a trajectory in the stepper and tells its number, or no_trajectory
+//     next(one)                            places a trajectory in the stepper and returns its number, or no_trajectory
 //     output(trajectory, place, state)     at a time of the task's
 //     event(trajectory, place, t, state)   an event of the task's
 //     finish(lane_end)                     how it ended
@@ -205,7 +205,7 @@ class lanes_run {
     return mine.terminated;
   }
 
-  // Where the event's quantity can come to its target in this step. A tracker need not look at the other steps: in them
+  // Where the event's quantity can reach its target in this step. A tracker need not look at the other steps: in them
   // the motion stays in the gap it was in.
   auto can_cross(const event& what) const {
     const auto everywhere = equal(S(0.0), S(0.0));

@@ -54,7 +54,7 @@ struct simple_start {
   S half_inverse;       // 1/2κ'
   wide<S> stretch;      // 1 or, in rotation, k
   S rotating;           // 1 in rotation, else 0
-  S spread, cancelled;  // |k'²| and the sizes of what it is the difference of: they tell up to when digits are enough
+  S spread, cancelled;  // |k'²| and the sizes of what it is the difference of: they decide up to when digits are enough
   // Half periods in a second, with a tail, where more digits are needed than a wide number has; else 0.
   wide<S> rate{S(0.0), S(0.0)};
   S rate_tail{0.0};

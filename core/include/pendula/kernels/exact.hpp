@@ -158,7 +158,7 @@ exact_outcome exact_linear(const exact_kernel& kernels, const exact_request& ask
     }
   if (const double* far = std::find_if_not(asked.times, last, within); far != last) {
     std::fill_n(out, 2 * asked.state_count * asked.time_count, 0.0);
-    out[2 * (far - asked.times)] = NAN;  // tells which
+    out[2 * (far - asked.times)] = NAN;  // marks which
     return exact_outcome::refused;
   }
   std::size_t points = 0;

@@ -1,5 +1,5 @@
-// What to run, said once: the same description goes to every method, alone, in lanes, with twice and with many digits.
-// Plain data, the same for every machine.
+// What to run: one description for every method, alone, in lanes, with twice and with many digits. Plain data, the same
+// for every machine.
 #pragma once
 
 #include <cstddef>
@@ -19,7 +19,7 @@ struct system_description {
   std::vector<double> parameters;
 };
 
-// What may be said of a run besides; option_rows() in options.hpp tells units, ranges and meanings.
+// The options of a run; option_rows() in options.hpp has their units, ranges and meanings.
 struct run_options {
   std::optional<double> step, tolerance, certify;
   std::optional<std::int64_t> max_steps, digits;

@@ -14,7 +14,7 @@ template <SecondOrder Sys>
 struct dop853_step {
   using S = typename Sys::scalar;
   using state = typename Sys::state;
-  // Of one trajectory two components go side by side: the same operations on the same numbers.
+  // One trajectory works on two components in one vector: the same operations on the same numbers.
   static constexpr std::size_t abreast = std::same_as<S, double> ? 2 : 1, pairs = Sys::dimension / abreast;
   using number = std::conditional_t<abreast == 2, pack<double, 2>, S>;
   using components = std::array<number, pairs>;
@@ -67,7 +67,7 @@ struct dop853_step {
     return sum<dop853_table::toward, stages - 1>(k, number(length));
   }
 
-  // In the order of the components, two abreast or not.
+  // In the order of the components, in pairs or not: the same sum.
   PENDULA_INLINE static S sum_of_squares(const components& a) {
     const state squares = unpaired(each([&]<std::size_t i> { return a[i] * a[i]; }));
     S total = squares[0];

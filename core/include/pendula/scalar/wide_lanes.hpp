@@ -1,4 +1,4 @@
-// Lanes of wide numbers by the names that lanes of plain ones have.
+// Functions of lanes of wide numbers, named as those of lanes of doubles.
 #pragma once
 
 #include "pendula/scalar/machine.hpp"

@@ -7,8 +7,8 @@
 
 namespace pendula::inline PENDULA_MACHINE {
 
-// A series of a given even order, made by `expand` from a time and a point in canonical variables, each with the tail
-// it goes on with. `inverse` holds 1/k at place k.
+// A series of a given even order, made by `expand` from a time and a point in canonical variables, each with its
+// tail, what it has beyond a double. `inverse` holds 1/k at place k.
 template <class Series, class Sys>
 concept SeriesOver =
     std::constructible_from<Series, int> &&
