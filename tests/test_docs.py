@@ -225,8 +225,9 @@ def test_the_method_that_contributing_adds_can_be_added(tmp_path: Path) -> None:
             start = line[1:].partition("<")[0]  # the list itself may have grown
             assert any(each.startswith(start) for each in catalogue), start
     source = tmp_path / "ralston.cpp"
-    check = "static_assert(pendula::Method<pendula::ralston>);"
-    source.write_text(f"{found['cpp'].replace('#pragma once', '')}\n{check}\n", encoding="utf-8")
+    check = "static_assert(pendula::MethodEntry<pendula::ralston>);"
+    code = found["cpp"].replace("#pragma once", '#include "pendula/catalog.hpp"')
+    source.write_text(f"{code}\n{check}\n", encoding="utf-8")
     include = f"-I{ROOT / 'core/include'}"
     subprocess.run(["g++", "-std=c++20", "-fsyntax-only", include, str(source)], check=True)
 
