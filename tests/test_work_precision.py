@@ -214,7 +214,10 @@ def test_progress_goes_from_nothing_to_all() -> None:
     [
         ({"methods": ["rk5"]}, "methods must be one of"),
         ({"methods": []}, "methods must name at least one method, got none"),
-        ({"methods": ["verlet"], "system": RODS, "state": START}, "methods 'verlet' needs a system"),
+        (
+            {"methods": ["verlet"], "system": RODS, "state": START},
+            "methods 'verlet' needs a system",
+        ),
         ({"t_max": 0.0}, "t_max must differ from t0"),
         ({"t_max": 1e9}, "t_max must differ from t0, by at most 100000 of"),
         ({"t_max": math.inf}, "t_max must be a finite number"),

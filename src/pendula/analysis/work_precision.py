@@ -100,7 +100,8 @@ def work_precision(
         settings = _settings(method, scales, t.size, count)
         done.append(_work(method, settings, reference, timed=timed))
     tell("done", 1.0)
-    largest = float(np.abs([start[: start.size // 2], *reference.theta.reshape(t.size, -1)]).max())
+    angles = start[: system.can.degrees_of_freedom]
+    largest = float(np.abs([angles, *reference.theta.reshape(t.size, -1)]).max())
     digits, precision = reference.request.digits, reference.precision
     limits = bound * largest, BEST_TOLERANCE * largest
     told = reference.method, digits, precision, *limits
@@ -110,7 +111,8 @@ def work_precision(
 def time_scale(system: System, state: ArrayLike) -> float:
     """The period of the motion's fastest part: of its fastest small swing, or of a turn [s]."""
     start = checked_state(state, system)
-    return math.tau / max(system.largest_frequency, float(np.abs(start[start.size // 2 :]).max()))
+    speeds = start[system.can.degrees_of_freedom :]
+    return math.tau / max(system.largest_frequency, float(np.abs(speeds).max()))
 
 
 def _chosen(system: System, names: Iterable[str] | None) -> list[_engine.Method]:

@@ -24,7 +24,7 @@ def exact_states(system: System, state: Array, t: Array, t0: float) -> Array:
     import numpy as np
 
     solvable = with_closed_form(system)
-    length, gravity, _ = system.parameters.values()
+    length, gravity = (system.parameters[name] for name in ("length", "gravity"))
     states = np.ascontiguousarray(state.reshape(-1, 2))
     out = np.empty((len(states), t.size, 2))
     if t.size == 0:

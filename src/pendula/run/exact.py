@@ -68,7 +68,7 @@ def time_at(system: System, state: ArrayLike, theta: ArrayLike) -> Any:
     solvable.check_start(start)
     angles = finite_array("theta", theta, "rad")
     shape = np.broadcast_shapes(start.shape[:-1], angles.shape)
-    length, gravity, _ = system.parameters.values()
+    length, gravity = (system.parameters[name] for name in ("length", "gravity"))
     result = _engine.time_at[system.name](
         length,
         gravity,

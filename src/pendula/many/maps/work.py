@@ -93,15 +93,14 @@ def checked_map(
     Raises:
         ValueError: naming the argument.
     """
-    check_system(system)
-    assert isinstance(system, System)
-    if not system.can.mapped:
+    one = check_system(system)
+    if not one.can.mapped:
         rule = "must be a double pendulum such as DoublePendulum.rods(), got {value}"
         raise ArgumentError("system", rule, value=system)
     cells = checked_cells(theta1, theta2, shape)
     end = positive_number("t_max", t_max, "s")
-    checked_tolerance(system, end, None)
-    return system, cells, end
+    checked_tolerance(one, end, None)
+    return one, cells, end
 
 
 def checked_tolerance(system: System, t_max: float, tolerance: object) -> float:
