@@ -6,6 +6,7 @@ import json
 from typing import TYPE_CHECKING
 
 from pendula import _engine
+from pendula._attributes import KEY
 from pendula._checks import extra
 from pendula._late_methods import method_of
 from pendula.io.recipe import attributes
@@ -70,7 +71,7 @@ def to_xarray(trajectory: Trajectory) -> xr.Dataset:
     dataset: xr.Dataset = xarray.Dataset(
         variables,
         coords={"t": ("t", trajectory.t, {"units": "s"})},
-        attrs={"pendula": attributes(trajectory), **_readable(trajectory)},
+        attrs={KEY: attributes(trajectory), **_readable(trajectory)},
     )
     return dataset
 

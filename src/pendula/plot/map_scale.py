@@ -7,6 +7,7 @@ import math
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
+from pendula._attributes import KEY
 from pendula._checks import one_of
 from pendula._messages import ArgumentError
 
@@ -86,7 +87,7 @@ def _seconds(attributes: Mapping[Any, Any]) -> float | None:
 
 def _recipe(attributes: Mapping[Any, Any]) -> dict[str, Any]:
     try:
-        recipe = json.loads(attributes.get("pendula", "{}"))
+        recipe = json.loads(attributes.get(KEY, "{}"))
     except (TypeError, ValueError):
         return {}
     return recipe if isinstance(recipe, dict) else {}

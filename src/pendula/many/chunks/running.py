@@ -7,7 +7,7 @@ import os
 from contextlib import closing
 from typing import TYPE_CHECKING, Any
 
-from pendula._checks import check_progress, extra, whole_number
+from pendula._checks import check_progress, check_threads, extra
 from pendula.many.chunks.cluster import check_client, spread
 from pendula.many.chunks.places import place_at
 from pendula.many.chunks.store import Store
@@ -19,8 +19,6 @@ if TYPE_CHECKING:
 
     from pendula._progress import Progress
     from pendula.many.chunks.work import Arrays, Chunk, Index, Work
-
-_MOST_THREADS = 1024
 
 
 def run(
@@ -55,8 +53,7 @@ def run(
         OSError: where the store cannot be written, or another process writes it.
         KeyboardInterrupt: at Ctrl-C; it says how many chunks are in the store.
     """
-    if threads is not None:
-        threads = whole_number("threads", threads, _MOST_THREADS)
+    threads = check_threads(threads)
     check_progress(progress)
     if client is not None:
         check_client(client)

@@ -11,9 +11,9 @@ from __future__ import annotations
 import json
 from typing import TYPE_CHECKING, Any
 
+from pendula._attributes import KEY
 from pendula._messages import Message
 from pendula.many.chunks.layout import CHECKSUM, ROOT, Layout, whole
-from pendula.many.chunks.work import KEY
 
 if TYPE_CHECKING:
     from pendula.many.chunks.places import Place

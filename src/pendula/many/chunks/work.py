@@ -9,6 +9,8 @@ from collections import Counter
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, Protocol
 
+from pendula._attributes import KEY
+
 if TYPE_CHECKING:
     from collections.abc import Iterator, Mapping
 
@@ -18,8 +20,6 @@ if TYPE_CHECKING:
 
     Arrays = Mapping[str, NDArray[Any]]
     Index = tuple[int, ...]
-
-KEY = "pendula"  # the attribute that holds the recipe
 
 
 @dataclass(frozen=True, eq=False)
