@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 from pendula import _engine
 from pendula._attributes import KEY
 from pendula._checks import extra
-from pendula.io.recipe import NotATrajectoryError
+from pendula.io.attributes import NotATrajectoryError
 from pendula.io.tables import columns, one_motion, to_pandas, to_xarray
 
 if TYPE_CHECKING:

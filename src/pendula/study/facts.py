@@ -1,7 +1,7 @@
 """What the text of the report says in numbers: results in, words of one language out.
 
 No number stands in the text itself; each comes from here, and what depends on how a run went
-(a bob thrown over the top, a run that broke down) is told by a list that may be empty.
+(a bob thrown over the top, a run that broke down) is said by a list that may be empty.
 """
 
 from __future__ import annotations
@@ -234,17 +234,17 @@ def _double(results: Results, words: Labels, numbers: Numbers) -> dict[str, Any]
 
 
 def _parting(results: Results, name: str, words: Labels, numbers: Numbers) -> dict[str, Any]:
-    """When a method parted from the reference, as far as the reference can tell."""
+    """When a method parted from the reference, as far as the reference can be trusted."""
     double = results.double
     run, moment = double.runs[name], double.parting[name]
-    told = moment if moment < double.horizon else math.inf
+    parted = moment if moment < double.horizon else math.inf
     error = np.abs(run.energy_error)
-    before = error[run.t <= told]
+    before = error[run.t <= parted]
     trusted = double.reference.t <= double.horizon
     return {
         "name": words.name(name),
-        "time": _moment(told, numbers),
-        "seconds": told if math.isfinite(told) else None,
+        "time": _moment(parted, numbers),
+        "seconds": parted if math.isfinite(parted) else None,
         "energy_before": numbers.plain(float(np.max(before)), 2),
         "energy_largest": numbers.plain(float(np.max(error)), 2),
         "difference": numbers.degrees(float(np.nanmax(double.differences[name][trusted]))),

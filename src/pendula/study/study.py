@@ -67,7 +67,7 @@ def run_study(
     return target
 
 
-# A method that blows up overflows, which the report tells better than a warning.
+# A method that blows up overflows, which the report says better than a warning.
 @np.errstate(over="ignore", invalid="ignore")
 def _write(recipe: Recipe, folder: Path, language: str, progress: StepProgress) -> None:
     from pendula.study.data import write_data
@@ -92,9 +92,9 @@ def _write(recipe: Recipe, folder: Path, language: str, progress: StepProgress) 
     figures = Figures(results, language, catalog["systems"], numbers)
     for share in figures.write(folder / "figures"):
         progress(doing["figures"], _FIGURES + share * (_REPORT - _FIGURES))
-    told = facts(results, words, numbers, __version__) | {"words": catalog}
+    data = facts(results, words, numbers, __version__) | {"words": catalog}
     progress(doing["report"], _REPORT)
-    write_report(folder, told, motions(results, words, catalog["replay"]))
+    write_report(folder, data, motions(results, words, catalog["replay"]))
     progress(doing["report"], 1.0)
 
 

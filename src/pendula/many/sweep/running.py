@@ -36,7 +36,7 @@ def sweep(
     """The trajectories of many systems, from many starts, that a recipe describes.
 
     Each row has the bits that `solve` gives it alone, whatever the threads, chunks or workers. What
-    goes wrong with one is told in its outcome: its numbers are NaN from there on.
+    goes wrong with one is said by its outcome: its numbers are NaN from there on.
 
     Args:
         recipe: a TOML file, or what `pendula.sweeping.read_sweep` made of it.
@@ -46,7 +46,7 @@ def sweep(
             cannot be gone on with. None: in memory.
         client: of a Dask cluster that computes the chunks.
         threads: None: one for each processor; on a cluster one for each task.
-        progress: told the part that is done, 0 to 1.
+        progress: called with the part that is done, 0 to 1.
         resume: go on with an existing store; else it is refused.
         overwrite: begin an existing one anew.
 
