@@ -47,7 +47,7 @@ def waves(chunk: tuple[int, int] = (7, 5), **told: Any) -> Work:
     """30 × 24 cells in chunks that do not divide them."""
     made = Waves(**told)
     return Work(
-        recipe={"pendula": "0", "scale": made.scale, "part": {"of": [1, 2.5], "rest": None}},
+        inputs={"pendula": "0", "scale": made.scale, "part": {"of": [1, 2.5], "rest": None}},
         axes=(
             Axis("x", 30, chunk[0], centres(30, slice(None)), {"units": "rad"}),
             Axis("y", 24, chunk[1], centres(24, slice(None)), {"units": "rad"}),

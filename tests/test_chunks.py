@@ -64,7 +64,7 @@ def test_a_mirrored_work_is_half_the_work(tmp_path: Path) -> None:
 def test_a_work_that_cannot_be_is_refused(told: dict[str, Any], message: str) -> None:
     good = {"axes": (Axis("x", 3, 1),), "variables": (Variable("a", ("x",), "bool", 0),)}
     with pytest.raises(ValueError, match=message):
-        Work(recipe={}, compute=Waves(), **{**good, **told})
+        Work(inputs={}, compute=Waves(), **{**good, **told})
 
 
 @pytest.mark.parametrize("wrong", [np.zeros((3, 24)), np.zeros((30, 24), bool), None])

@@ -36,8 +36,9 @@ chunk = 10
 
 
 @pytest.fixture
-def call(call: Call) -> Call:
-    """The command in a folder with a recipe."""
+def call(call: Call, monkeypatch: pytest.MonkeyPatch) -> Call:
+    """The command in a folder with a recipe, and no progress of a machine that is busy."""
+    monkeypatch.setattr("pendula.cli.progress._MOMENT", 600.0)
     Path("rods.toml").write_text(RECIPE, encoding="utf-8")
     return call
 

@@ -204,7 +204,7 @@ def test_progress_rises_to_the_end() -> None:
         ({"theta1": (0.0, 1e9)}, r"theta1 must lie within ±2\^26 rad"),
         ({"theta1": (1.0, 1.0 + 1e-15)}, "theta1 must be a range whose 3 cells are different"),
         ({"shape": 5}, "shape must be two numbers of cells"),
-        ({"shape": (3, 0)}, r"shape must be a whole number from 1 to 1000000, got 0 in \(3, 0\)"),
+        ({"shape": (3, 0)}, r"shape must be a whole number from 1 to 1000000, got 0"),
         ({"shape": (10**6, 10**5)}, r"shape must be at most 10\^10 cells in all"),
         ({"shape": (3, 2.5)}, "shape must be a whole number"),
         ({"t_max": 0.0}, "t_max must be positive"),

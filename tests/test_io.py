@@ -16,7 +16,7 @@ from pendula import DoublePendulum, LinearPendulum, SimplePendulum, exact, solve
 from pendula._writing import replacing
 from pendula.events import angle, flip, tip_height, velocity_zero
 from pendula.io import files
-from pendula.io.recipe import attributes
+from pendula.io.attributes import attributes
 
 RUNS = {
     "rods": lambda: solve(DoublePendulum.rods(1, 2, 0.7), (2, 2.5, 0, 0), 1.0, "rk4", step=1e-3),

@@ -35,7 +35,7 @@ def test_a_store_of_another_recipe_is_refused(
 ) -> None:
     before, work = files(undisturbed), waves()
     with pytest.raises(ValueError, match=f"holds another computation: {message}; choose") as error:
-        run(replace(work, recipe={**work.recipe, **recipe}), undisturbed)
+        run(replace(work, inputs={**work.inputs, **recipe}), undisturbed)
     assert "\n" not in str(error.value)
     assert files(undisturbed) == before
 
@@ -48,7 +48,7 @@ def test_chunks_of_another_size_are_another_store(undisturbed: Path) -> None:
 def test_the_same_numbers_are_the_same_recipe() -> None:
     assert first_difference({"a": [1, {"b": 2.5}]}, {"a": [1, {"b": 2.5}]}) is None
     assert first_difference({"a": 1}, {"a": True}) == ("a", "1", "true")
-    assert first_difference([1], {"a": 1}) == ("the recipe", "[1]", '{"a": 1}')
+    assert first_difference([1], {"a": 1}) == ("the identity", "[1]", '{"a": 1}')
 
 
 @pytest.mark.parametrize("overwrite", [False, True])
@@ -84,7 +84,7 @@ def test_an_old_store_is_what_it_says_until_it_is_empty(
     def stop(self: Folder, kept: str) -> None:
         raise KeyboardInterrupt
 
-    store, other = tmp_path / "w.zarr", replace(waves(scale=2.0), recipe={"scale": 2.0})
+    store, other = tmp_path / "w.zarr", replace(waves(scale=2.0), inputs={"scale": 2.0})
     run(other, store)
     monkeypatch.setattr(Folder, "clear", stop)
     with pytest.raises(KeyboardInterrupt):

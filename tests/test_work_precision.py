@@ -188,7 +188,7 @@ def test_files_hold_every_run_and_what_was_compared(double: WorkPrecision, tmp_p
     data = json.loads((tmp_path / "work.json").read_text(encoding="utf-8"))
     assert told == {key: value for key, value in data.items() if key != "rows"}
     assert told["system"] == RODS.description()
-    assert (told["reference"], told["digits"], told["until"]) == ("taylor", 15, 3.0)
+    assert (told["reference"], told["digits"], told["t_max"]) == ("taylor", 15, 3.0)
     column = "largest angle error [rad]"
     errors = np.concatenate([each.errors for each in double.methods]).tolist()
     assert [float(row[column]) for row in rows] == errors
@@ -212,12 +212,15 @@ def test_progress_goes_from_nothing_to_all() -> None:
 @pytest.mark.parametrize(
     ("given", "told"),
     [
-        ({"methods": ["rk5"]}, "method must be one of"),
+        ({"methods": ["rk5"]}, "methods must be one of"),
         ({"methods": []}, "methods must name at least one method, got none"),
-        ({"methods": ["verlet"], "system": RODS, "state": START}, "method 'verlet' needs a system"),
-        ({"until": 0.0}, "until must differ from t0"),
-        ({"until": 1e9}, "until must differ from t0, by at most 100000 of"),
-        ({"until": math.inf}, "until must be a finite number"),
+        (
+            {"methods": ["verlet"], "system": RODS, "state": START},
+            "methods 'verlet' needs a system",
+        ),
+        ({"t_max": 0.0}, "t_max must differ from t0"),
+        ({"t_max": 1e9}, "t_max must differ from t0, by at most 100000 of"),
+        ({"t_max": math.inf}, "t_max must be a finite number"),
         ({"points": 1}, "points must be at least 2, got 1"),
         ({"points": 101}, "points must be a whole number from 1 to 100, got 101"),
         ({"state": (1.0,)}, "state must be"),
@@ -225,7 +228,7 @@ def test_progress_goes_from_nothing_to_all() -> None:
     ],
 )
 def test_wrong_use_is_told(given: dict[str, Any], told: str) -> None:
-    usual: dict[str, Any] = {"system": SIMPLE, "state": LARGE, "until": 1.0}
+    usual: dict[str, Any] = {"system": SIMPLE, "state": LARGE, "t_max": 1.0}
     with pytest.raises(ValueError, match=told):
         work_precision(**(usual | given))
 

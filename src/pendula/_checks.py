@@ -16,6 +16,7 @@ if TYPE_CHECKING:
 
     from pendula._types import Array
 
+MOST_THREADS = 1024
 LARGEST_COUNT = 2**53  # whole numbers are exact in a double up to here
 
 
@@ -133,6 +134,11 @@ def whole_number(name: str, value: object, most: int) -> int:
         rule = "must be a whole number from 1 to {text}, got {value}"
         raise ArgumentError(name, rule, text=most, value=found)
     return found
+
+
+def check_threads(threads: object) -> int | None:
+    """A number of threads; None: whoever runs them chooses it."""
+    return None if threads is None else whole_number("threads", threads, MOST_THREADS)
 
 
 def flag(name: str, value: object) -> bool:

@@ -51,7 +51,7 @@ class Message(str):
     Attributes:
         argument: the one it is about; empty: none.
         rule: the template, without the argument in front.
-        way_out: another template; empty: there is none to tell.
+        way_out: another template; empty: none.
         details: what the templates name.
     """
 

@@ -9,5 +9,5 @@ StepProgress = Callable[[str, float], None]  # what is being done, and the part 
 
 
 def part(progress: Progress, start: float, end: float) -> Progress:
-    """Progress of a part of the work, told as that of the whole."""
+    """A callback for a part of the work that reports the part of the whole."""
     return progress and (lambda share: progress(start + (end - start) * share))

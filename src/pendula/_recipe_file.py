@@ -26,7 +26,7 @@ class RecipeFile:
     """The tables of one file, and errors that name the file and the line.
 
     Args:
-        name: of the file, as errors tell it.
+        name: of the file, for errors.
         text: what it holds.
 
     Raises:

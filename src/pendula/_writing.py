@@ -1,4 +1,4 @@
-"""Nothing half-written where a result should be."""
+"""Files and folders that are there as a whole or not at all: written beside, moved into place."""
 
 from __future__ import annotations
 
@@ -13,18 +13,30 @@ from pendula._messages import Message
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
+_PART = ".part"  # ends the name of a file that `write_durably` has not finished
 
-def refuse_existing(target: Path, *, overwrite: bool) -> None:
-    """Say at once what would go wrong at the end.
+
+def check_folder(target: Path) -> None:
+    """Refuse a path whose folder is not there.
 
     Raises:
-        FileExistsError: where the path exists and `overwrite` is not set.
-        OSError: where it cannot be written: no such folder, not a folder, no permission.
+        OSError: where it is missing, or no folder.
     """
     folder = target.absolute().parent
     if not folder.is_dir():
         kind = NotADirectoryError if folder.exists() else FileNotFoundError
         raise kind(f"cannot write {target}: {folder} is not a folder; make it first")
+
+
+def refuse_existing(target: Path, *, overwrite: bool) -> None:
+    """Refuse, before any work, a path that cannot be written.
+
+    Raises:
+        FileExistsError: where the path exists and `overwrite` is not set.
+        OSError: where it cannot be written: no such folder, not a folder, no permission.
+    """
+    check_folder(target)
+    folder = target.absolute().parent
     if not os.access(folder, os.W_OK):
         raise PermissionError(f"cannot write {target}: no permission to write in {folder}")
     if os.path.lexists(target) and not overwrite:
@@ -49,6 +61,47 @@ def replacing(target: Path, *, overwrite: bool) -> Iterator[Path]:
             unfinished.replace(target)
     finally:
         _remove(unfinished)
+
+
+def write_durably(target: Path, data: bytes) -> None:
+    """Write beside, sync, move there, sync the folder: it survives a power cut, complete.
+
+    The folder is made where it is missing. What a killed process leaves `is_unfinished`.
+    """
+    part = target.with_name(f".{target.name}{_PART}")
+    try:
+        make_folder(target.parent)
+        with part.open("wb", buffering=0) as file:
+            view = memoryview(data)
+            while view:
+                view = view[file.write(view) :]
+            os.fsync(file.fileno())
+        part.replace(target)
+        sync_folder(target.parent)
+    except BaseException:
+        part.unlink(missing_ok=True)
+        raise
+
+
+def is_unfinished(name: str) -> bool:
+    """Whether a file of this name is what a killed `write_durably` left."""
+    return name.startswith(".") and name.endswith(_PART)
+
+
+def make_folder(path: Path) -> None:
+    """Make a folder that survives a power cut."""
+    if not path.is_dir():
+        path.mkdir()
+        sync_folder(path.parent)
+
+
+def sync_folder(path: Path) -> None:
+    """Make the names in a folder survive a power cut."""
+    handle = os.open(path, os.O_RDONLY | os.O_DIRECTORY)
+    try:
+        os.fsync(handle)
+    finally:
+        os.close(handle)
 
 
 def _swap(new: Path, old: Path) -> None:

@@ -74,7 +74,7 @@ def work_precision(
         t0: time of the state [s].
         points: runs of each method, 2 to 100. The steps are parts of the motion's time scale.
         timed: measure times too, which differ from run to run.
-        progress: told the method and the part of all that is done, 0 to 1.
+        progress: called with the method and the part of all that is done, 0 to 1.
 
     Raises:
         ValueError: for an unknown method or an argument out of range.
@@ -88,29 +88,31 @@ def work_precision(
     chosen = _chosen(system, methods)
     scales = abs(end - origin) / time_scale(system, start)
     t = np.linspace(origin, end, _outputs(scales) + 1)[1:]
-    tell = progress or (lambda label, share: None)
+    report = progress or (lambda label, share: None)
     part = 1 / (len(chosen) + 1)
-    tell("reference", 0.0)
+    report("reference", 0.0)
     reference, bound = _reference(
-        system, start, t, origin, lambda share: tell("reference", part * share)
+        system, start, t, origin, lambda share: report("reference", part * share)
     )
     done = []
     for i, method in enumerate(chosen):
-        tell(method.name, part * (i + 1))
+        report(method.name, part * (i + 1))
         settings = _settings(method, scales, t.size, count)
         done.append(_work(method, settings, reference, timed=timed))
-    tell("done", 1.0)
-    largest = float(np.abs([start[: start.size // 2], *reference.theta.reshape(t.size, -1)]).max())
+    report("done", 1.0)
+    angles = start[: system.can.degrees_of_freedom]
+    largest = float(np.abs([angles, *reference.theta.reshape(t.size, -1)]).max())
     digits, precision = reference.request.digits, reference.precision
     limits = bound * largest, BEST_TOLERANCE * largest
-    told = reference.method, digits, precision, *limits
-    return WorkPrecision(system, start, origin, t, *told, tuple(done))
+    judged = reference.method, digits, precision, *limits
+    return WorkPrecision(system, start, origin, t, *judged, tuple(done))
 
 
 def time_scale(system: System, state: ArrayLike) -> float:
     """The period of the motion's fastest part: of its fastest small swing, or of a turn [s]."""
     start = checked_state(state, system)
-    return math.tau / max(system.largest_frequency, float(np.abs(start[start.size // 2 :]).max()))
+    speeds = start[system.can.degrees_of_freedom :]
+    return math.tau / max(system.largest_frequency, float(np.abs(speeds).max()))
 
 
 def _chosen(system: System, names: Iterable[str] | None) -> list[_engine.Method]:

@@ -35,9 +35,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
     except BaseException as error:  # a compiled module's import turns Ctrl-C into one of its own
         if not interrupted:
             raise
-        told = f"; {error}" if isinstance(error, KeyboardInterrupt) and str(error) else ""
+        reason = f"; {error}" if isinstance(error, KeyboardInterrupt) and str(error) else ""
         if sys.stderr is not None:  # print would take stdout in its place
-            print(f"pendula: interrupted{told}", file=sys.stderr)
+            print(f"pendula: interrupted{reason}", file=sys.stderr)
         return INTERRUPTED
     finally:
         if signal.getsignal(signal.SIGINT) is interrupt:

@@ -77,7 +77,7 @@ def _compare(entry: SystemEntry, **given: Any) -> None:
 
 
 def _targets(given: dict[str, Any]) -> tuple[Path | None, Path | None]:
-    """The files to write; says before long work what would go wrong at its end."""
+    """The files to write; refuses before long work what cannot be written."""
     from pathlib import Path
 
     from pendula.io.rows import check_rows_target

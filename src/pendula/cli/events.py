@@ -84,8 +84,10 @@ def found(run: Trajectory, *, every_row: bool = False) -> str:
 
 
 def _rod(words: list[str], text: str) -> int:
+    from pendula.run.events import MOST_RODS
+
     try:
-        return whole_number("the rod", int(words.pop(0)), 2)
+        return whole_number("the rod", int(words.pop(0)), MOST_RODS)
     except (IndexError, ValueError):
         raise _misread(text) from None
 

@@ -119,8 +119,8 @@ def _compute(kind: str, entry: SystemEntry, given: dict[str, Any]) -> None:
             overwrite=given["force"],
         )
         write(kind, found, None if store else out, picture, given)
-        told = summary(kind, found)
-    click.echo(f"{out}: {told}" if out else told)
+        cells_found = summary(kind, found)
+    click.echo(f"{out}: {cells_found}" if out else cells_found)
     if picture:
         click.echo(picture)
 

@@ -15,11 +15,11 @@ if TYPE_CHECKING:
 
     import xarray as xr
 
-_BAND = 256  # rows read at once, where a store does not tell how many
+_BAND = 256  # rows read at once, where a store does not say how many
 
 
 def check_targets(given: dict[str, Any]) -> tuple[str | None, Path | None]:
-    """The file and the picture; says before long work what would go wrong at its end.
+    """The file and the picture; refuses before long work what cannot be written.
 
     Raises:
         ValueError: for an unknown ending.
@@ -59,8 +59,8 @@ def write(
 
 def summary(kind: str, found: xr.Dataset) -> str:
     """Numbers of all cells, read in bands: a store may hold more than the memory."""
-    told = {"flip": _of_flips, "divergence": _of_divergence}[kind](found)
-    return f"{' x '.join(str(found.sizes[name]) for name in ('theta1', 'theta2'))} cells; {told}"
+    numbers = {"flip": _of_flips, "divergence": _of_divergence}[kind](found)
+    return f"{' x '.join(str(found.sizes[name]) for name in ('theta1', 'theta2'))} cells; {numbers}"
 
 
 def _bands(found: xr.Dataset) -> Iterator[xr.Dataset]:
@@ -80,11 +80,11 @@ def _of_flips(found: xr.Dataset) -> str:
         if "resolved" in band:
             unresolved += int((~band["resolved"]).sum())
     cells = found["flip_time"].size
-    told = {"flipped": flipped, "forbidden": forbidden}
-    told[f"neither until {found.attrs['t_max']:g} s"] = cells - flipped - forbidden
+    counts = {"flipped": flipped, "forbidden": forbidden}
+    counts[f"neither until {found.attrs['t_max']:g} s"] = cells - flipped - forbidden
     if "resolved" in found:
-        told["not verified"] = unresolved
-    shares = ", ".join(f"{count / cells:.1%} {name}" for name, count in told.items())
+        counts["not verified"] = unresolved
+    shares = ", ".join(f"{count / cells:.1%} {name}" for name, count in counts.items())
     return shares + (f"; earliest flip after {earliest:.6g} s" if flipped else "")
 
 
@@ -94,13 +94,13 @@ def _of_divergence(found: xr.Dataset) -> str:
     low, high, total, count = math.inf, -math.inf, 0.0, 0
     for band in _bands(found):
         with np.errstate(divide="ignore"):
-            rates = np.log(band["growth"].values) / found.attrs["t_max"]
-        known = rates[np.isfinite(rates)]
+            logarithms = np.log(band["growth"].values) / found.attrs["t_max"]
+        known = logarithms[np.isfinite(logarithms)]
         if known.size:
             low, high = min(low, float(known.min())), max(high, float(known.max()))
             total, count = total + float(known.sum()), count + known.size
     if count == 0:
         return "the rate of divergence is unknown in every cell"
     unknown = found["growth"].size - count
-    told = f"mean rate of divergence {low:.3g} to {high:.3g} 1/s, {total / count:.3g} on average"
-    return told + (f"; {unknown} unknown" if unknown else "")
+    rates = f"mean rate of divergence {low:.3g} to {high:.3g} 1/s, {total / count:.3g} on average"
+    return rates + (f"; {unknown} unknown" if unknown else "")

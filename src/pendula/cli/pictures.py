@@ -36,7 +36,7 @@ def file_and_picture(file: str, picture: str) -> list[click.Parameter]:
 
 
 def checked_picture(given: dict[str, Any]) -> Path | None:
-    """The picture to draw; says before long work what would go wrong at its end.
+    """The picture to draw; refuses before long work what cannot be written.
 
     Raises:
         ValueError: for an unknown ending.

@@ -65,22 +65,22 @@ def work_bar(label: str, total: int, unit: str) -> Iterator[Callable[[float], No
     pace = _Pace(total, unit)
     if sys.stderr.isatty():
         with progress_bar() as bar:
-            yield lambda share: bar(f"{label}: {pace.told(share)}", share)
+            yield lambda share: bar(f"{label}: {pace.text(share)}", share)
         return
     tenth = 0
 
     def progress(share: float) -> None:
         nonlocal tenth
-        told = pace.told(share)
+        done = pace.text(share)
         if int(10 * share) > tenth and pace.elapsed > _MOMENT:
-            click.echo(f"{share:4.0%} {label}: {told}{pace.left(share)}", err=True)
+            click.echo(f"{share:4.0%} {label}: {done}{pace.left(share)}", err=True)
             tenth = int(10 * share)
 
     yield progress
 
 
 class _Pace:
-    """How fast work goes, from when it was first told."""
+    """Units done in a second, since the first report."""
 
     def __init__(self, total: int, unit: str) -> None:
         self._total, self._unit = total, unit
@@ -98,7 +98,7 @@ class _Pace:
         done = (share - self._first[0]) * self._total
         return done / self.elapsed if self.elapsed > 0.0 else 0.0
 
-    def told(self, share: float) -> str:
+    def text(self, share: float) -> str:
         """How many are done, and how many a second."""
         rate, done = self.rate(share), round(share * self._total)
         number = f"{rate:.0f}" if rate >= 99.5 else f"{rate:.2g}"
@@ -113,12 +113,12 @@ class _Pace:
 
 
 def _lines() -> Callable[[str, float], None]:
-    told = ""
+    last = ""
 
     def progress(label: str, share: float) -> None:
-        nonlocal told
-        if label != told:
+        nonlocal last
+        if label != last:
             click.echo(f"{share:4.0%} {label}", err=True)
-        told = label
+        last = label
 
     return progress

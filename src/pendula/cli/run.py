@@ -80,7 +80,7 @@ def span_of(t0: float, t_max: float) -> float:
 
 
 def target(out: str | None, *, force: bool) -> Path | None:
-    """The file to write; says before a long run what would go wrong at its end.
+    """The file to write; refuses before a long run what cannot be written.
 
     Raises:
         ValueError: for an unknown ending.
@@ -141,7 +141,7 @@ def deliver(run: Trajectory, out: Path | None, *, force: bool, every_row: bool =
     from pendula.cli.events import found
     from pendula.cli.tables import show, summary, times_of
 
-    with np.errstate(over="ignore", invalid="ignore"):  # of energies: the numbers tell it better
+    with np.errstate(over="ignore", invalid="ignore"):  # of energies: the numbers show it
         if out is None:
             show(run, every_row=every_row)
         else:

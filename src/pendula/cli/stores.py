@@ -50,7 +50,7 @@ def cluster(scheduler: str | None) -> Iterator[Any]:
 
     from pendula.many.chunks import connect
 
-    logging.getLogger("distributed").setLevel(logging.CRITICAL)  # its errors are told in one line
+    logging.getLogger("distributed").setLevel(logging.CRITICAL)  # its errors are shown in one line
     client = None if scheduler is None else connect(scheduler)
     try:
         yield client
@@ -71,9 +71,9 @@ def telling_how_to_resume(given: dict[str, Any]) -> Iterator[None]:
         yield
     except KeyboardInterrupt as stopped:
         if out is None or Path(out).suffix != ".zarr":
-            told = "nothing is written; a .zarr store would be resumable"
+            hint = "nothing is written; a .zarr store would be resumable"
         elif str(stopped):  # how much is in the store
-            told = f"{stopped}; resume with {way}"
+            hint = f"{stopped}; resume with {way}"
         else:
-            told = f"{way} resumes {out}"
-        raise KeyboardInterrupt(told) from None
+            hint = f"{way} resumes {out}"
+        raise KeyboardInterrupt(hint) from None

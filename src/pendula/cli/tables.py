@@ -109,7 +109,7 @@ def _curves(run: Trajectory) -> None:
     from pendula.cli.plots import MARGIN, curve
 
     components = _engine.system_entries()[run.system.name].components
-    angles = components[: len(components) // 2]
+    angles = components[: run.system.can.degrees_of_freedom]
     width = max(_NARROWEST, min(shutil.get_terminal_size().columns, _WIDEST)) - MARGIN
     for i, row in enumerate(angles):
         click.secho(f"\n{row.name} [{row.unit}]", dim=True)

@@ -1,4 +1,4 @@
-"""Trajectories to tables and files and back; each file carries its recipe, version and outcome."""
+"""Trajectories to tables and files and back; each file describes its run, version and outcome."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from pendula._checks import MissingExtraError, extra, one_of
 from pendula._late_methods import method_of
 from pendula._writing import refuse_existing, replacing
 from pendula.io import files
-from pendula.io.recipe import NotATrajectoryError, attributes, from_attributes
+from pendula.io.attributes import NotATrajectoryError, attributes, from_attributes
 from pendula.io.tables import to_pandas, to_xarray
 from pendula.run.trajectory import Trajectory
 
@@ -37,7 +37,7 @@ def save(trajectory: Trajectory, path: str | PathLike[str], *, overwrite: bool =
 
 
 def check_target(path: str | PathLike[str], *, overwrite: bool = False) -> None:
-    """Say before a long run what would keep `save` from writing its result.
+    """Refuse, before a long run, a path that `save` could not write.
 
     Raises:
         ValueError, FileExistsError, OSError: as for `save`.

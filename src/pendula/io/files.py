@@ -6,8 +6,9 @@ import csv
 from typing import TYPE_CHECKING, Any
 
 from pendula import _engine
+from pendula._attributes import KEY
 from pendula._checks import extra
-from pendula.io.recipe import NotATrajectoryError
+from pendula.io.attributes import NotATrajectoryError
 from pendula.io.tables import columns, one_motion, to_pandas, to_xarray
 
 if TYPE_CHECKING:
@@ -19,8 +20,7 @@ if TYPE_CHECKING:
 
     Read = tuple[str, Array, Array]
 
-MARK = "# pendula: "  # before the attributes, in the first line of a CSV file
-KEY = "pendula"
+MARK = f"# {KEY}: "  # before the attributes, in the first line of a CSV file
 
 
 def packages(ending: str) -> tuple[str, ...]:

@@ -47,7 +47,7 @@ def write_rows(
 
 
 def check_rows_target(path: Path, *, overwrite: bool = False) -> None:
-    """Say before long work what would keep `write_rows` from writing its result.
+    """Refuse, before long work, a path that `write_rows` could not write.
 
     Raises:
         ValueError, FileExistsError, OSError: as for `write_rows`.

@@ -6,9 +6,10 @@ import json
 from typing import TYPE_CHECKING
 
 from pendula import _engine
+from pendula._attributes import KEY
 from pendula._checks import extra
 from pendula._late_methods import method_of
-from pendula.io.recipe import attributes
+from pendula.io.attributes import attributes
 from pendula.run.trajectory import Trajectory
 
 if TYPE_CHECKING:
@@ -59,7 +60,7 @@ def to_pandas(trajectory: Trajectory) -> pd.DataFrame:
 def to_xarray(trajectory: Trajectory) -> xr.Dataset:
     """A dataset over t (and trajectory, for several), units on each variable (extra: io).
 
-    Its attribute "pendula" is the recipe as JSON, from which `rerun` repeats the run.
+    Its attribute "pendula" describes the run as JSON, from which `rerun` repeats the run.
     """
     xarray = extra("xarray", "io")
     dims = ("t",) if trajectory.states.ndim == 2 else ("trajectory", "t")
@@ -70,7 +71,7 @@ def to_xarray(trajectory: Trajectory) -> xr.Dataset:
     dataset: xr.Dataset = xarray.Dataset(
         variables,
         coords={"t": ("t", trajectory.t, {"units": "s"})},
-        attrs={"pendula": attributes(trajectory), **_readable(trajectory)},
+        attrs={KEY: attributes(trajectory), **_readable(trajectory)},
     )
     return dataset
 

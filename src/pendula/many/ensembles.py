@@ -80,7 +80,7 @@ def ensemble(
     """The motions from many states, or of many systems, or both.
 
     Each has the bits that `solve` gives it alone, whatever the number of threads; what goes wrong
-    with one is told in its outcome, and leaves the others alone.
+    with one is said by its outcome, and leaves the others alone.
 
     Args:
         system: a pendulum, or n of the same kind and form.
@@ -90,7 +90,7 @@ def ensemble(
             dop853 with events.
         t0: time of the states [s].
         threads: None: one for each processor.
-        progress: told the part of the trajectories that is done, 0 to 1, some times a second.
+        progress: called with the part of the trajectories that is done, 0 to 1.
         **options: see `RunOptions`.
 
     `certify` takes some fifty times as long as the runs. With `digits` one trajectory is run after
@@ -154,12 +154,12 @@ def _checked_systems(system: System | Sequence[System]) -> tuple[System, ...]:
         check_system(each)
     kinds = {(each.name, each.form) for each in systems}
     if len(kinds) != 1:
-        told = ", ".join(sorted(" ".join(kind).strip() for kind in kinds)) or "none"
+        given = ", ".join(sorted(" ".join(kind).strip() for kind in kinds)) or "none"
         raise ArgumentError(
             "system",
             "must be one pendulum, or n of the same kind and form, got {text}",
             "make an ensemble of each kind",
-            text=told,
+            text=given,
         )
     return systems
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, NamedTuple
 
 from pendula import _engine
-from pendula._checks import whole_number
+from pendula._checks import check_threads
 from pendula.run.options import Options
 from pendula.run.request import core_request, refuse
 
@@ -17,9 +17,6 @@ if TYPE_CHECKING:
 
     from pendula._progress import Progress
     from pendula._types import Array
-
-
-MOST_THREADS = 1024
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -138,10 +135,9 @@ def _no_runs(task: Task, dimension: int) -> Runs:
 
 def checked_threads(threads: int | None) -> int:
     """How many threads: those asked for, or one for each processor that this process may use."""
-    if threads is None:
-        return (
-            len(os.sched_getaffinity(0))
-            if hasattr(os, "sched_getaffinity")
-            else os.cpu_count() or 1
-        )
-    return whole_number("threads", threads, MOST_THREADS)
+    asked = check_threads(threads)
+    if asked is not None:
+        return asked
+    if hasattr(os, "sched_getaffinity"):
+        return len(os.sched_getaffinity(0))
+    return os.cpu_count() or 1

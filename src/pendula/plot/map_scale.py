@@ -7,6 +7,7 @@ import math
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
+from pendula._attributes import KEY
 from pendula._checks import one_of
 from pendula._messages import ArgumentError
 
@@ -42,16 +43,16 @@ def time_scale(attributes: Mapping[Any, Any], time_unit: str) -> TimeScale:
     """The scale of a map with these attributes, in seconds or in units of √(l₁/g).
 
     Raises:
-        ValueError: for natural units where the attributes do not tell the system.
+        ValueError: for natural units where the attributes lack the system.
     """
     one_of("time_unit", time_unit, ("s", "natural"))
-    recipe = _recipe(attributes)
-    which = recipe.get("which")
-    told = which, _seconds(attributes)
+    inputs = _inputs(attributes)
+    which = inputs.get("which")
+    rest = which, _seconds(attributes)
     if time_unit == "s":
-        return TimeScale(1.0, "s", *told)
+        return TimeScale(1.0, "s", *rest)
     try:
-        parameters = recipe["system"]["parameters"]
+        parameters = inputs["system"]["parameters"]
         unit = math.sqrt(parameters["l1"] / parameters["gravity"])
     except (KeyError, TypeError):
         raise ArgumentError(
@@ -60,14 +61,14 @@ def time_scale(attributes: Mapping[Any, Any], time_unit: str) -> TimeScale:
             'take time_unit = "s"',
         ) from None
     alike = parameters.get("l2", parameters["l1"]) == parameters["l1"]
-    return TimeScale(unit, "√(l/g)" if alike else "√(l₁/g)", *told)
+    return TimeScale(unit, "√(l/g)" if alike else "√(l₁/g)", *rest)
 
 
 def growth_time(attributes: Mapping[Any, Any]) -> float:
     """The time in which neighbours parted [s].
 
     Raises:
-        ValueError: where the attributes do not tell it.
+        ValueError: where the attributes lack it.
     """
     t_max = _seconds(attributes)
     if t_max is None or not t_max > 0.0:
@@ -80,16 +81,16 @@ def growth_time(attributes: Mapping[Any, Any]) -> float:
 
 
 def _seconds(attributes: Mapping[Any, Any]) -> float | None:
-    t_max = attributes.get("t_max", _recipe(attributes).get("t_max"))
+    t_max = attributes.get("t_max", _inputs(attributes).get("t_max"))
     return None if t_max is None else float(t_max)
 
 
-def _recipe(attributes: Mapping[Any, Any]) -> dict[str, Any]:
+def _inputs(attributes: Mapping[Any, Any]) -> dict[str, Any]:
     try:
-        recipe = json.loads(attributes.get("pendula", "{}"))
+        inputs = json.loads(attributes.get(KEY, "{}"))
     except (TypeError, ValueError):
         return {}
-    return recipe if isinstance(recipe, dict) else {}
+    return inputs if isinstance(inputs, dict) else {}
 
 
 def number_ticks(bar: Any, words: Labels) -> None:

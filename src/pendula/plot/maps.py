@@ -55,7 +55,7 @@ def flip_map(
         dataset: what `pendula.flip_map` returned, or its file opened again.
         time_unit: "s", or "natural" for units of √(l₁/g).
         ticks: of the angles: "degrees", or "pi" for parts of π.
-        unresolved: "pale": cells whose time is not certain, if the dataset tells, are paler;
+        unresolved: "pale": cells that the dataset marks as unresolved are paler;
             "shown": they are not.
         limits: times at the ends of the colour scale [s], to compare maps; None: the longest, and
             the one that 3 % are shorter than.

@@ -30,7 +30,7 @@ _MOST = 1e9  # an error beyond this is no error any more, and would flatten all 
 WIDTH = 6.4  # inches; the width of the report's column
 _DOTS = 200  # an inch, of a figure of pixels
 
-# Okabe & Ito's palette ("Color Universal Design", 2008); lines tell runs apart as well as colours.
+# Okabe & Ito's palette ("Color Universal Design", 2008); line styles distinguish runs, too.
 _LINES: dict[str, dict[str, Any]] = {
     "exact": {"color": INK, "linestyle": "-", "linewidth": 1.5},
     "reference": {"color": INK, "linestyle": "-", "linewidth": 1.5},

@@ -37,7 +37,7 @@ def work_precision(
 ) -> Figure:
     """Error against evaluations and against time, a curve a method, all logarithmic.
 
-    Runs that broke down are hollow marks at the upper edge. What the reference cannot tell is
+    Runs that broke down are hollow marks at the upper edge. What the reference cannot resolve is
     shaded; the dotted line is the last bit of a double.
 
     Args:

@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from pendula._types import Array
 
 
+MOST_RODS = max(each.can.degrees_of_freedom for each in _engine.system_entries().values())
 _REST_OF_PI = 1.2246467991473532e-16  # π less the double nearest to it
 
 
@@ -149,7 +150,7 @@ def crossings_of(found: Iterable[_engine.Crossings], dimension: int) -> tuple[Cr
 def _event(
     kind: str, i: int, value: float, direction: int, terminal: bool | int, every_turn: bool
 ) -> Event:
-    index = whole_number("i", i, 2)
+    index = whole_number("i", i, MOST_RODS)
     return Event(kind, index, value, bool(every_turn), _direction(direction), _terminal(terminal))
 
 

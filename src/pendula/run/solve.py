@@ -49,7 +49,7 @@ def solve(
             shortened step from the grid.
         method: a name that `methods()` lists.
         t0: time of the state [s].
-        progress: told the part of a long run that is done, 0 to 1, every few milliseconds.
+        progress: called with the part of a long run that is done, 0 to 1, every few milliseconds.
         **options: see `RunOptions`.
 
     Returns:

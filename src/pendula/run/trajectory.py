@@ -179,6 +179,6 @@ class Trajectory:
         )
 
     def _half(self, which: int) -> Array:
-        count = self.states.shape[-1] // 2
+        count = self.system.can.degrees_of_freedom
         part = self.states[..., which * count : (which + 1) * count]
         return part[..., 0] if count == 1 else part

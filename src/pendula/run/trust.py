@@ -48,8 +48,8 @@ def digits_states(
 ) -> tuple[Array, int]:
     """States right to so many digits, each component by itself, at every one of the times.
 
-    The growth of errors tells the working precision; a run with more has to agree with it, and
-    where it does not, they go on to more still.
+    The working precision follows from the growth of errors. A run with more digits has to agree;
+    where it does not, the two are repeated with more still.
 
     Args:
         system: a pendulum.
@@ -57,7 +57,7 @@ def digits_states(
         times: strictly rising from t0, or falling, (n,) [s].
         t0: time of the state [s].
         digits: 1 to 15.
-        progress: told the part of the work that is done, 0 to 1, some times a second.
+        progress: called with the part of the work that is done, 0 to 1, some times a second.
 
     Returns:
         States (n, d) and the decimal digits that they were computed with.
@@ -74,7 +74,7 @@ def digits_states(
         higher = runs.states(level)
         good = _agreed(lower, higher, digits)
         if good.all():
-            runs.tell(1.0)
+            runs.report(1.0)
             return higher[..., 0].copy(), runs.levels[level]
         if level + 1 == len(runs.levels):
             last = times[good.argmin() - 1] if good[0] else t0
@@ -115,7 +115,7 @@ class _LongRuns:
     levels: tuple[int, ...] = field(default_factory=lambda: tuple(_engine.long_run_digits()))
     done: float = 0.0  # work
     planned: float = 0.0
-    told: float = 0.0  # part of it
+    reported: float = 0.0  # part of it
 
     def first_level(self, digits: int) -> int:
         """The level that should be enough, one below the last at most."""
@@ -156,7 +156,7 @@ class _LongRuns:
         return float(GROWTH_ALLOWED * lost * seen[1] / seen[0])
 
     def too_far(self, digits: int, t_max: float) -> DigitsError:
-        """The error that says how far it goes."""
+        """The error that says up to which time the digits can be had."""
         return DigitsError(
             "digits_limit",
             f"they can be had up to about t = {t_max:g} s",
@@ -173,11 +173,11 @@ class _LongRuns:
         """Count on runs with these levels."""
         self.planned = self.done + sum(map(self._work, levels))
 
-    def tell(self, part: float) -> None:
-        """Tell how much is done, which never becomes less."""
-        self.told = max(self.told, min(part, 1.0))
+    def report(self, part: float) -> None:
+        """Report how much is done, which never becomes less."""
+        self.reported = max(self.reported, min(part, 1.0))
         if self.progress is not None:
-            self.progress(self.told)
+            self.progress(self.reported)
 
     def states(self, level: int, times: Array | None = None) -> Array:
         """Heads and tails of the states at the times, (n, d, 2)."""
@@ -188,7 +188,7 @@ class _LongRuns:
         work = self._work(level, span)
 
         def on_the_way(part: float) -> None:
-            self.tell((self.done + work * part) / self.planned)
+            self.report((self.done + work * part) / self.planned)
 
         asked = Request(state=self.state, t=wanted, t0=self.t0)
         result = _engine.long_run(asked.for_core(self.system, "taylor"), level, on_the_way)

@@ -1,22 +1,27 @@
 """What the text of the report says in numbers: results in, words of one language out.
 
 No number stands in the text itself; each comes from here, and what depends on how a run went
-(a bob thrown over the top, a run that broke down) is told by a list that may be empty.
+(a bob thrown over the top, a run that broke down) is said by a list that may be empty.
 """
 
 from __future__ import annotations
 
 import math
+from fractions import Fraction
+from itertools import product
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from pendula._engine import method_named
 from pendula.run.solve import methods
 from pendula.study.errata import errata
 from pendula.study.runs import METHODS, REPETITIONS
 from pendula.study.work import work_facts
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from pendula.plot.labels import Labels
     from pendula.run.trajectory import Trajectory
     from pendula.study.notation import Numbers
@@ -132,7 +137,7 @@ def _method(results: Results, name: str, words: Labels, numbers: Numbers) -> dic
     over = np.flatnonzero(np.abs(run.theta) > math.pi)
     return {
         "name": words.name(name),
-        "evaluations": {each.name: each.evaluations_per_step for each in methods()}[name],
+        "evaluations": method_named(name).evaluations_per_step,
         "linear_error": numbers.degrees(_largest(linear, name)),
         "simple_error": numbers.degrees(_largest(simple, name)),
         "linear_energy": numbers.plain(float(linear.runs[name].energy_error[-1])),
@@ -147,19 +152,32 @@ def _energy_growth(results: Results, name: str) -> float:
     """Energy error at the end that theory gives for the linear pendulum.
 
     A step multiplies the energy by |R(i ωn h)|², R the method's stability function (Hairer & Wanner
-    1996, IV.3): for a method of order p that takes p evaluations, the exponential's first p + 1
-    terms. The last step is shortened where the end is no multiple of the step.
+    1996, IV.3). The last step is shortened where the end is no multiple of the step.
     """
     end, step = float(results.linear.runs[name].t[-1]), results.recipe.simple.step
     full = math.floor(end / step + 1e-9)
     frequency = results.pendulum.natural_frequency
+    growth = growth_polynomial(method_named(name).stability_polynomial)
 
     def logarithm(h: float) -> float:
         z = frequency * h
-        return math.log1p({"euler": z**2, "heun": z**4 / 4, "rk4": -(z**6) / 72 + z**8 / 576}[name])
+        return math.log1p(sum(z**k * c.numerator / c.denominator for k, c in growth.items()))
 
     exponent = full * logarithm(step) + logarithm(max(end - full * step, 0.0))
     return math.expm1(exponent) if exponent < 700 else math.inf  # e⁷¹⁰ is past all doubles
+
+
+def growth_polynomial(stability: Sequence[float]) -> dict[int, Fraction]:
+    """|R(i z)|² − 1 of a stability polynomial R: the coefficients by powers of z, without zeros.
+
+    They are exact, as those of R are fractions: in doubles the lowest powers would not vanish.
+    """
+    exact = [Fraction(each).limit_denominator(10**6) for each in stability]
+    found: dict[int, Fraction] = {0: Fraction(-1)}
+    for (j, a), (k, b) in product(enumerate(exact), repeat=2):
+        if (j - k) % 2 == 0:  # the other products are imaginary, and cancel
+            found[j + k] = found.get(j + k, Fraction(0)) + a * b * (-1) ** (abs(j - k) // 2)
+    return {power: each for power, each in found.items() if each}
 
 
 def _largest(compared: Comparison, name: str) -> float:
@@ -216,17 +234,17 @@ def _double(results: Results, words: Labels, numbers: Numbers) -> dict[str, Any]
 
 
 def _parting(results: Results, name: str, words: Labels, numbers: Numbers) -> dict[str, Any]:
-    """When a method parted from the reference, as far as the reference can tell."""
+    """When a method parted from the reference, as far as the reference can be trusted."""
     double = results.double
     run, moment = double.runs[name], double.parting[name]
-    told = moment if moment < double.horizon else math.inf
+    parted = moment if moment < double.horizon else math.inf
     error = np.abs(run.energy_error)
-    before = error[run.t <= told]
+    before = error[run.t <= parted]
     trusted = double.reference.t <= double.horizon
     return {
         "name": words.name(name),
-        "time": _moment(told, numbers),
-        "seconds": told if math.isfinite(told) else None,
+        "time": _moment(parted, numbers),
+        "seconds": parted if math.isfinite(parted) else None,
         "energy_before": numbers.plain(float(np.max(before)), 2),
         "energy_largest": numbers.plain(float(np.max(error)), 2),
         "difference": numbers.degrees(float(np.nanmax(double.differences[name][trusted]))),

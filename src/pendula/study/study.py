@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import tempfile
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -11,6 +10,7 @@ import numpy as np
 from pendula._checks import extra
 from pendula._messages import Message
 from pendula._version import __version__
+from pendula._writing import replacing
 from pendula.plot.labels import labels
 from pendula.study.recipe import read_recipe
 
@@ -60,14 +60,14 @@ def run_study(
         extra(package, "report")
     target = Path(out)
     _check_free(target, overwrite=overwrite)
-    with _scratch_beside(target) as scratch:
-        made = Path(scratch) / "new"
-        _write(recipe, made, language, progress or (lambda label, share: None))
-        _put(made, target, Path(scratch) / "old", overwrite=overwrite)
+    _make_parents(target)
+    with replacing(target, overwrite=overwrite) as unfinished:
+        _write(recipe, unfinished, language, progress or (lambda label, share: None))
+        _check_free(target, overwrite=overwrite)
     return target
 
 
-# A method that blows up overflows, which the report tells better than a warning.
+# A method that blows up overflows, which the report says better than a warning.
 @np.errstate(over="ignore", invalid="ignore")
 def _write(recipe: Recipe, folder: Path, language: str, progress: StepProgress) -> None:
     from pendula.study.data import write_data
@@ -92,9 +92,9 @@ def _write(recipe: Recipe, folder: Path, language: str, progress: StepProgress) 
     figures = Figures(results, language, catalog["systems"], numbers)
     for share in figures.write(folder / "figures"):
         progress(doing["figures"], _FIGURES + share * (_REPORT - _FIGURES))
-    told = facts(results, words, numbers, __version__) | {"words": catalog}
+    data = facts(results, words, numbers, __version__) | {"words": catalog}
     progress(doing["report"], _REPORT)
-    write_report(folder, told, motions(results, words, catalog["replay"]))
+    write_report(folder, data, motions(results, words, catalog["replay"]))
     progress(doing["report"], 1.0)
 
 
@@ -110,24 +110,9 @@ def _check_free(target: Path, *, overwrite: bool) -> None:
         raise FileExistsError(f"{target} is not a study, so it is not replaced; choose another")
 
 
-def _scratch_beside(target: Path) -> tempfile.TemporaryDirectory[str]:
-    """A folder that goes when done, beside the target so that it can be moved in one go."""
+def _make_parents(target: Path) -> None:
     try:
         target.parent.mkdir(parents=True, exist_ok=True)
-        return tempfile.TemporaryDirectory(prefix=f".{target.name}-", dir=target.parent)
     except OSError as error:
         reason = f"cannot write a study there: {error.strerror}"
         raise OSError(error.errno, reason, str(target.parent)) from None
-
-
-def _put(made: Path, target: Path, old: Path, *, overwrite: bool) -> None:
-    """Move a complete study to its place; what stood there goes only now."""
-    _check_free(target, overwrite=overwrite)
-    if target.exists():
-        target.rename(old)
-    try:
-        made.rename(target)
-    except BaseException:
-        if old.exists():
-            old.rename(target)
-        raise

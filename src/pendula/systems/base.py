@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING, Any, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar, cast
 
 from pendula import _engine
 from pendula._checks import states_array
@@ -160,23 +160,22 @@ def with_closed_form(system: object) -> ClosedForm:
     Raises:
         ValueError: where it has none, or is no system.
     """
-    check_system(system)
-    if not isinstance(system, ClosedForm):
-        names = " or ".join(
-            cls.__name__ for cls in System.classes.values() if issubclass(cls, ClosedForm)
-        )
+    one = check_system(system)
+    if not one.can.closed_form:
+        entries = _engine.system_entries().values()
+        names = [System.classes[each.name].__name__ for each in entries if each.can.closed_form]
         raise ArgumentError(
             "system",
-            "must be a {text}, got {value}: no closed form is known",
+            "must be a {any_of}, got {value}: no closed form is known",
             "use <call=solve>",
-            text=names,
+            any_of=names,
             value=system,
         )
-    return system
+    return cast("ClosedForm", one)
 
 
-def check_system(system: object) -> None:
-    """Refuse what is no pendulum.
+def check_system(system: object) -> System:
+    """The system, which has to be a pendulum.
 
     Raises:
         ValueError: for anything else than a System.
@@ -184,3 +183,4 @@ def check_system(system: object) -> None:
     if not isinstance(system, System):
         rule = "must be a pendulum such as SimplePendulum(length=1.0), got {value}"
         raise ArgumentError("system", rule, value=system)
+    return system

@@ -138,7 +138,9 @@ class DoublePendulum(System):
         λ = ω² solves (AB − C²) λ² − (AE + BD) λ + DE = 0; the discriminant as a sum of squares and
         the smaller root from the product of both lose no digits.
         """
-        A, B, C, D, E, determinant, _ = self.constants.values()
+        constants = self.constants
+        A, B, C, D, E = (constants[name] for name in "ABCDE")
+        determinant = constants["determinant_floor"]
         root = math.sqrt((A * E - B * D) ** 2 + 4.0 * C * C * D * E)
         fast = (A * E + B * D + root) / (2.0 * determinant)
         slow = 2.0 * D * E / (A * E + B * D + root)

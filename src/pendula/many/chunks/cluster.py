@@ -83,8 +83,8 @@ def spread(
         room = max(1, _AHEAD * sum(client.nthreads().values()))
         while len(under_way) < room and (chunk := next(waiting, None)) is not None:
             name = f"pendula-{run}-{'-'.join(map(str, chunk.index))}"
-            told = compute, chunk, threads or 1, __version__
-            future = client.submit(_computed, *told, key=name, pure=False)
+            arguments = compute, chunk, threads or 1, __version__
+            future = client.submit(_computed, *arguments, key=name, pure=False)
             under_way[future] = chunk
             ready.add(future)
 
@@ -108,13 +108,13 @@ def spread(
 
 
 def _next(ready: Any, client: Any) -> Any:
-    """The next result; it is told where no worker is there to make one, for that may take long."""
-    looked, told = time.monotonic(), False
+    """The next result; warns where there is no worker to make one, as that may take long."""
+    looked, warned = time.monotonic(), False
     while not ready.has_ready():
         time.sleep(_MOMENT)
-        if not told and time.monotonic() - looked > _UNATTENDED:
-            looked, told = time.monotonic(), not client.nthreads()
-            if told:
+        if not warned and time.monotonic() - looked > _UNATTENDED:
+            looked, warned = time.monotonic(), not client.nthreads()
+            if warned:
                 _LOG.warning("no worker is at %s; waiting for one", client.scheduler.address)
     return next(ready)
 

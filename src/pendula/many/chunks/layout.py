@@ -21,7 +21,7 @@ class Layout:
     """The files of a work, by key.
 
     Chunks are plain bytes with a checksum. Compressed ones would depend on a library's version,
-    and their size would not tell that one is cut short.
+    and their size would not show that one is cut short.
 
     Attributes:
         work: what is laid out.
@@ -48,12 +48,12 @@ class Layout:
         for axis in work.axes:
             if axis.values is not None:
                 dtype, size = axis.values.dtype.name, (axis.size,)
-                told = _described((axis.name,), size, size, dtype, 0, axis.attrs)
-                group.create_array(axis.name, **told)[:] = axis.values
+                array = _described((axis.name,), size, size, dtype, 0, axis.attrs)
+                group.create_array(axis.name, **array)[:] = axis.values
         for each in work.variables:
             sizes = work.shape(each), self._chunk_shape(each)
-            told = _described(each.dims, *sizes, each.dtype, each.fill, each.attrs)
-            arrays[each.name] = group.create_array(each.name, **told)
+            array = _described(each.dims, *sizes, each.dtype, each.fill, each.attrs)
+            arrays[each.name] = group.create_array(each.name, **array)
         with warnings.catch_warnings():  # that it is no part of Zarr's specification yet
             warnings.simplefilter("ignore")
             zarr.consolidate_metadata(store)  # xarray asks for it

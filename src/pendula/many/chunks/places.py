@@ -12,11 +12,17 @@ from typing import TYPE_CHECKING, Any, Protocol
 
 from pendula._checks import MissingExtraError, extra
 from pendula._messages import ArgumentError, Message
+from pendula._writing import (
+    check_folder,
+    is_unfinished,
+    make_folder,
+    sync_folder,
+    write_durably,
+)
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
-_PART = ".part"  # a file that is being written: .name.part
 _FILES = (".nc", ".h5", ".parquet", ".csv")  # endings of what is no store
 _FULL = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG)
 _NO_LOCKS = (errno.EBADF, errno.ENOLCK, errno.ENOSYS, errno.EOPNOTSUPP)  # of some network disks
@@ -86,7 +92,7 @@ class Folder:
     def occupied(self) -> Iterator[str]:
         """Names at the top, those of leftovers apart."""
         if self.path.is_dir():
-            yield from (each for each in os.listdir(self.path) if not _is_part(each))
+            yield from (each for each in os.listdir(self.path) if not is_unfinished(each))
 
     def sizes(self, folder: str) -> dict[str, int]:
         """One look at the folder, however many files it holds."""
@@ -94,7 +100,7 @@ class Folder:
         try:
             with os.scandir(self.path / folder) as entries:
                 for entry in entries:
-                    if _is_part(entry.name):
+                    if is_unfinished(entry.name):
                         os.unlink(entry.path)
                     else:
                         found[entry.name] = entry.stat().st_size
@@ -110,24 +116,12 @@ class Folder:
             return None
 
     def write(self, key: str, data: bytes) -> None:
-        """Write beside, sync, move there, sync the folder: after a power cut it is there, whole."""
+        """Write a file, all of it or nothing."""
         target = self.path / key
-        part = target.with_name(f".{target.name}{_PART}")
         try:
-            _make_folder(target.parent)
-            with part.open("wb", buffering=0) as file:
-                view = memoryview(data)
-                while view:
-                    view = view[file.write(view) :]
-                os.fsync(file.fileno())
-            part.replace(target)
-            _sync_folder(target.parent)
+            write_durably(target, data)
         except OSError as error:
-            part.unlink(missing_ok=True)
             raise _cannot_write(target, error) from error
-        except BaseException:
-            part.unlink(missing_ok=True)
-            raise
 
     def clear(self, kept: str) -> None:
         """Remove all but one file."""
@@ -136,7 +130,7 @@ class Folder:
                 shutil.rmtree(each)
             elif each.name != kept:
                 each.unlink()
-        _sync_folder(self.path)
+        sync_folder(self.path)
 
     @contextmanager
     def locked(self) -> Iterator[None]:
@@ -147,7 +141,7 @@ class Folder:
         """
         self._check_place()
         try:
-            _make_folder(self.path)
+            make_folder(self.path)
             handle = os.open(self.path, os.O_RDONLY | os.O_DIRECTORY)
         except OSError as error:
             raise _cannot_write(self.path, error) from error
@@ -161,10 +155,7 @@ class Folder:
             os.close(handle)
 
     def _check_place(self) -> None:
-        folder = self.path.absolute().parent
-        if not folder.is_dir():
-            kind = NotADirectoryError if folder.exists() else FileNotFoundError
-            raise kind(f"cannot write {self.path}: {folder} is not a folder; make it first")
+        check_folder(self.path)
         if os.path.lexists(self.path) and not self.path.is_dir():
             raise FileExistsError(f"{self.path} exists and is no folder; choose another name")
 
@@ -227,10 +218,6 @@ class Remote:
             return
 
 
-def _is_part(name: str) -> bool:
-    return name.startswith(".") and name.endswith(_PART)
-
-
 def _lock(handle: int, path: Path) -> None:
     """Lock an open folder, where its file system has locks."""
     try:
@@ -248,22 +235,6 @@ def _unlock(handle: int) -> None:
     """Closing alone would not do while a process that was just forked holds the folder too."""
     with suppress(OSError):
         fcntl.flock(handle, fcntl.LOCK_UN)
-
-
-def _make_folder(path: Path) -> None:
-    """A folder that is there after a power cut."""
-    if not path.is_dir():
-        path.mkdir()
-        _sync_folder(path.parent)
-
-
-def _sync_folder(path: Path) -> None:
-    """Make the names in a folder last."""
-    handle = os.open(path, os.O_RDONLY | os.O_DIRECTORY)
-    try:
-        os.fsync(handle)
-    finally:
-        os.close(handle)
 
 
 def _cannot_write(target: Path | str, error: OSError) -> OSError:

@@ -7,7 +7,7 @@ import os
 from contextlib import closing
 from typing import TYPE_CHECKING, Any
 
-from pendula._checks import check_progress, extra, whole_number
+from pendula._checks import check_progress, check_threads, extra
 from pendula.many.chunks.cluster import check_client, spread
 from pendula.many.chunks.places import place_at
 from pendula.many.chunks.store import Store
@@ -19,8 +19,6 @@ if TYPE_CHECKING:
 
     from pendula._progress import Progress
     from pendula.many.chunks.work import Arrays, Chunk, Index, Work
-
-_MOST_THREADS = 1024
 
 
 def run(
@@ -41,22 +39,21 @@ def run(
             chunk. A run that was stopped, or killed, goes on with the same call: what is complete
             stays. None: the result is made in memory.
         client: a Client of dask.distributed, whose workers compute (extra: cluster).
-        progress: told the part of the work that is done, 0 to 1.
+        progress: called with the part of the work that is done, 0 to 1.
         threads: for each chunk. None: all cores here, one on a worker.
         resume: go on with an existing store; else it is refused.
-        overwrite: empty an existing store, of whatever recipe, and begin anew.
+        overwrite: empty an existing store, whatever it holds, and begin anew.
 
     Returns:
         The dataset (extra: io); one in a store is read from there when it is used.
 
     Raises:
-        ValueError: where the store is of another recipe, or the client none.
+        ValueError: where the store has other inputs, or the client is none.
         FileExistsError: where something else is there, or a store with `resume` not set.
         OSError: where the store cannot be written, or another process writes it.
         KeyboardInterrupt: at Ctrl-C; it says how many chunks are in the store.
     """
-    if threads is not None:
-        threads = whole_number("threads", threads, _MOST_THREADS)
+    threads = check_threads(threads)
     check_progress(progress)
     if client is not None:
         check_client(client)
@@ -100,20 +97,20 @@ def computed(
     """Chunks with their arrays, as they are ready; all of them where no indices are given."""
     wanted = dict.fromkeys(work.indices() if indices is None else indices)
     leaders = [each for each in wanted if not _second(work, each, wanted)]
-    told = _Told(work, wanted, progress)
-    for chunk, arrays in _each(work, leaders, client, told, threads):
+    report = _Report(work, wanted, progress)
+    for chunk, arrays in _each(work, leaders, client, report, threads):
         checked = work.checked(chunk, arrays)
         yield chunk, checked
-        told.done += math.prod(chunk.shape)
+        report.done += math.prod(chunk.shape)
         other = work.mirror(chunk.index)
         if other != chunk.index and other in wanted:
             yield work.chunk(other), work.turned(checked)
-            told.done += math.prod(chunk.shape)
-        told.share()
+            report.done += math.prod(chunk.shape)
+        report.share()
 
 
-class _Told:
-    """How much of the whole is done, as the caller hears it."""
+class _Report:
+    """Reports to the caller how much of the whole is done."""
 
     def __init__(self, work: Work, wanted: Mapping[Index, None], progress: Progress) -> None:
         self._work, self._wanted, self._progress = work, wanted, progress
@@ -122,7 +119,7 @@ class _Told:
         self.share()
 
     def share(self, cells: float = 0.0) -> None:
-        """Tell the share, with so many cells of a chunk that is under way."""
+        """Report the share, with so many cells of a chunk that is under way."""
         if self._progress is not None:
             self._progress((self.done + cells) / self._all)
 
@@ -136,12 +133,12 @@ class _Told:
 
 
 def _each(
-    work: Work, indices: list[Index], client: Any, told: _Told, threads: int | None
+    work: Work, indices: list[Index], client: Any, report: _Report, threads: int | None
 ) -> Iterator[tuple[Chunk, Arrays]]:
     """Compute these chunks, here or on the workers."""
     chunks = map(work.chunk, indices)
     if client is None:
-        return ((chunk, work.compute(chunk, threads, told.within(chunk))) for chunk in chunks)
+        return ((chunk, work.compute(chunk, threads, report.within(chunk))) for chunk in chunks)
     return spread(work.compute, chunks, client, threads)
 
 
@@ -171,7 +168,7 @@ def _into_store(
                 for chunk, arrays in made:
                     target.put(chunk, arrays)
         except KeyboardInterrupt:
-            raise KeyboardInterrupt(target.told()) from None
+            raise KeyboardInterrupt(target.summary()) from None
         target.finish()
 
 

@@ -1,9 +1,9 @@
 """A store that is written chunk by chunk and can be killed at any moment.
 
-The root comes first: it holds the recipe. It says "unfinished" until all chunks are there. A chunk
-counts once all its variables have a file, each of the right size and, where they are on this
-machine, with the right checksum. All bytes follow from the recipe, so that the end does not depend
-on what happened on the way.
+The root is written first and holds the identity. It says "unfinished" until all chunks are there.
+A chunk counts once all its variables have a file, each of the right size and, where they are on
+this machine, with the right checksum. All bytes follow from the inputs: the finished store does not
+depend on interruptions.
 """
 
 from __future__ import annotations
@@ -11,9 +11,9 @@ from __future__ import annotations
 import json
 from typing import TYPE_CHECKING, Any
 
+from pendula._attributes import KEY
 from pendula._messages import Message
 from pendula.many.chunks.layout import CHECKSUM, ROOT, Layout, whole
-from pendula.many.chunks.work import KEY
 
 if TYPE_CHECKING:
     from pendula.many.chunks.places import Place
@@ -31,7 +31,7 @@ class Store:
         """Make the place a store of this work; the chunks that are missing.
 
         Raises:
-            ValueError: where the store is of another recipe.
+            ValueError: where the store has other inputs.
             FileExistsError: where something else is there, or a store that was not asked for.
         """
         place, layout = self._place, self._layout
@@ -58,8 +58,8 @@ class Store:
         for key, data in self._layout.files(chunk, arrays).items():
             self._place.write(key, data)
 
-    def told(self) -> str:
-        """How much of the work is there, for who has stopped it."""
+    def summary(self) -> str:
+        """How many chunks are complete, for whoever has stopped the run."""
         names = ([*self._place.sizes(each.name)] for each in self._work.variables)
         there = min(sum(name.startswith("c.") for name in each) for each in names)
         return f"{there} of {len(list(self._work.indices()))} chunks are in {self._place}"
@@ -102,10 +102,10 @@ class Store:
 
     def _refuse_other_stores(self, root: bytes, *, resume: bool, overwrite: bool) -> None:
         place = self._place
-        there = recipe_of(root)
+        there = identity_of(root)
         if there is None:
             raise FileExistsError(
-                f"{place} exists and is not a store of pendula ({ROOT} holds no recipe); "
+                f"{place} exists and is not a store of pendula ({ROOT} holds no identity); "
                 "choose another name"
             )
         if overwrite:
@@ -134,8 +134,8 @@ class Store:
             )
 
 
-def recipe_of(root: bytes) -> Any:
-    """The recipe in a store's first file; None where there is none."""
+def identity_of(root: bytes) -> Any:
+    """The identity in a store's first file; None where there is none."""
     try:
         return json.loads(json.loads(root)["attributes"][KEY])
     except (KeyError, TypeError, ValueError):
@@ -143,7 +143,7 @@ def recipe_of(root: bytes) -> Any:
 
 
 def first_difference(there: Any, here: Any, name: str = "") -> tuple[str, str, str] | None:
-    """The first place at which two recipes differ, with both values; None where they agree."""
+    """The first place at which two identities differ, with both values; None where they agree."""
     if isinstance(there, dict) and isinstance(here, dict):
         keys = {str(key): f"{name}.{key}" if name else str(key) for key in {**here, **there}}
     elif isinstance(there, list) and isinstance(here, list) and len(there) == len(here):
@@ -151,11 +151,11 @@ def first_difference(there: Any, here: Any, name: str = "") -> tuple[str, str, s
         keys = {str(i): f"{name}[{i}]" for i in range(len(here))}
     else:
         same = there == here and type(there) is type(here)
-        return None if same else (name or "the recipe", json.dumps(there), json.dumps(here))
+        return None if same else (name or "the identity", json.dumps(there), json.dumps(here))
     for key, full in keys.items():
         if (key in there) != (key in here):
-            told = (json.dumps(each[key]) if key in each else "missing" for each in (there, here))
-            return (full, *told)  # type: ignore[return-value]
+            both = (json.dumps(each[key]) if key in each else "missing" for each in (there, here))
+            return (full, *both)  # type: ignore[return-value]
         different = first_difference(there[key], here[key], full)
         if different is not None:
             return different

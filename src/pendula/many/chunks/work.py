@@ -9,6 +9,8 @@ from collections import Counter
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, Protocol
 
+from pendula._attributes import KEY
+
 if TYPE_CHECKING:
     from collections.abc import Iterator, Mapping
 
@@ -18,8 +20,6 @@ if TYPE_CHECKING:
 
     Arrays = Mapping[str, NDArray[Any]]
     Index = tuple[int, ...]
-
-KEY = "pendula"  # the attribute that holds the recipe
 
 
 @dataclass(frozen=True, eq=False)
@@ -101,7 +101,7 @@ class Compute(Protocol):
         Args:
             chunk: which part.
             threads: to compute with; None: as many as there are cores. No bit depends on it.
-            progress: told the part of the chunk that is done, 0 to 1; None on a cluster.
+            progress: called with the part of the chunk that is done, 0 to 1; None on a cluster.
         """
 
 
@@ -110,17 +110,17 @@ class Work:
     """A chunked computation.
 
     Attributes:
-        recipe: what makes the result: system, arguments, version; as JSON. The same recipe gives
-            the same bytes.
+        inputs: what the result follows from: system, arguments, version; as JSON. The same inputs
+            give the same bytes.
         axes: the dimensions; one at least is cut.
         variables: the arrays.
         compute: gives one chunk.
-        attrs: of the whole, besides the recipe.
+        attrs: of the whole, besides the inputs.
         mirrored: the result is the same when all cut axes are turned round, bit for bit: of each
             pair of chunks one is computed. Chunks then have to divide their axes.
     """
 
-    recipe: Mapping[str, Any]
+    inputs: Mapping[str, Any]
     axes: tuple[Axis, ...]
     variables: tuple[Variable, ...]
     compute: Compute
@@ -156,9 +156,9 @@ class Work:
 
     @property
     def identity(self) -> str:
-        """The recipe and the chunks as one line of JSON: what a store is known by."""
+        """The inputs and the chunks as one line of JSON: what identifies a store."""
         chunks = {axis.name: axis.step for axis in self.cut}
-        return json.dumps({**self.recipe, "chunks": chunks}, allow_nan=False)
+        return json.dumps({**self.inputs, "chunks": chunks}, allow_nan=False)
 
     @property
     def attributes(self) -> dict[str, Any]:
@@ -191,7 +191,7 @@ class Work:
         return tuple(sizes[dim] for dim in variable.dims)
 
     def checked(self, chunk: Chunk, arrays: Arrays) -> dict[str, NDArray[Any]]:
-        """What `compute` gave, in the types and shapes that were told.
+        """What `compute` gave, checked against the variables' types and shapes.
 
         Raises:
             ValueError: for another variable, type or shape.
@@ -199,9 +199,9 @@ class Work:
         import numpy as np
 
         found = {name: (np.dtype(a.dtype).name, a.shape) for name, a in arrays.items()}
-        told = {each.name: (each.dtype, self.shape(each, chunk)) for each in self.variables}
-        if found != told:
-            raise ValueError(f"chunk {chunk.index} must be {told}, got {found}")
+        expected = {each.name: (each.dtype, self.shape(each, chunk)) for each in self.variables}
+        if found != expected:
+            raise ValueError(f"chunk {chunk.index} must be {expected}, got {found}")
         return {each.name: arrays[each.name] for each in self.variables}
 
     def turned(self, arrays: Arrays) -> dict[str, NDArray[Any]]:

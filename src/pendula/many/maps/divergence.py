@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING, Any
 from pendula._checks import positive_number
 from pendula._messages import ArgumentError
 from pendula.many.chunks import Variable
+from pendula.many.maps.base import Map, checked_map, checked_tolerance
 from pendula.many.maps.cells import NAMES
-from pendula.many.maps.work import Map, checked_map, checked_tolerance
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -47,7 +47,7 @@ def divergence_map(
     Both start from rest; the neighbour's angles are both larger by the separation, or, where
     theta1 < 0, smaller, so that a map about rest is symmetric. The finite-time divergence is
     ln(growth) / t_max. Angles are never wrapped: once the two are apart by turns, growth is about
-    2π / separation, and tells no more.
+    2π / separation, and has no further meaning.
 
     Args:
         system: a double pendulum.
@@ -99,8 +99,8 @@ class DivergenceMap(Map):
     @property
     def variables(self) -> tuple[Variable, ...]:
         """How far they have moved apart."""
-        told = {"units": "1", "long_name": "growth of the distance of neighbours until t_max"}
-        return (Variable("growth", NAMES, "float64", math.nan, told),)
+        attributes = {"units": "1", "long_name": "growth of the distance of neighbours until t_max"}
+        return (Variable("growth", NAMES, "float64", math.nan, attributes),)
 
     def __call__(
         self, chunk: Chunk, threads: int | None, progress: Progress

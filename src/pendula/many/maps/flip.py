@@ -10,8 +10,8 @@ from pendula._checks import flag, whole_number
 from pendula._messages import ArgumentError
 from pendula._progress import part
 from pendula.many.chunks import Variable
+from pendula.many.maps.base import Map, checked_map, checked_tolerance
 from pendula.many.maps.cells import NAMES
-from pendula.many.maps.work import Map, checked_map, checked_tolerance
 from pendula.run.events import flip
 from pendula.run.options import BEST_TOLERANCE
 
@@ -65,13 +65,13 @@ def flip_map(
         t_max: how long to wait for a flip [s].
         which: rod 1 or 2; None: the one that is first.
         tolerance: of the Taylor method.
-        resolve: run each cell again at a thousandth of the tolerance, and tell where both agree:
+        resolve: run each cell again at a thousandth of the tolerance, and say where both agree:
             twice the work.
         store: a folder, or a URL, for a Zarr store that is written chunk by chunk: the same call
             resumes it, and the map may be larger than memory. None: in memory.
         client: of a Dask cluster that computes the chunks.
         threads: None: one for each processor.
-        progress: told the part that is done, 0 to 1.
+        progress: called with the part that is done, 0 to 1.
         resume: go on with a store that is there; else it is refused.
         overwrite: begin it anew.
 
@@ -115,7 +115,7 @@ class FlipMap(Map):
     def variables(self) -> tuple[Variable, ...]:
         """Flip times, rods, and how sure they are."""
         rods = "either rod" if self.which is None else f"rod {self.which}"
-        told = [
+        variables = [
             Variable(
                 "flip_time",
                 NAMES,
@@ -133,8 +133,8 @@ class FlipMap(Map):
                 f"a run at tolerance {TIGHTER * self.tolerance:.3g} agrees: flip times to "
                 f"{AGREEMENT:g} of them, or angles at t_max to {AGREEMENT:g} rad"
             )
-            told.append(Variable("resolved", NAMES, "bool", False, {"long_name": meaning}))
-        return tuple(told)
+            variables.append(Variable("resolved", NAMES, "bool", False, {"long_name": meaning}))
+        return tuple(variables)
 
     def __call__(
         self, chunk: Chunk, threads: int | None, progress: Progress
@@ -198,7 +198,7 @@ class Flips:
     end: Array
 
     def agree(self, other: Flips) -> NDArray[np.bool_]:
-        """Where two runs tell the same."""
+        """Where two runs have the same result."""
         import numpy as np
 
         same_time = abs(self.time - other.time) <= AGREEMENT * self.time

@@ -94,7 +94,7 @@ class Columns:
     def _spread(
         self, section: str, row: Parameter | Component, kind: str, value: list[Any]
     ) -> Distribution:
-        """The distribution of a list; what it refuses has yet to be told the line of."""
+        """The distribution of a list; its errors do not name the line."""
         parts = value[:-1] if kind == "grid" else value
         where = f"{section}.{row.name}"
         numbers = [self._number(section, row, kind, part) for part in parts]

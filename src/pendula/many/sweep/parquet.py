@@ -6,10 +6,10 @@ from contextlib import closing
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from pendula._attributes import KEY
 from pendula._checks import extra
 from pendula._writing import replacing
 from pendula.many.chunks import computed
-from pendula.many.chunks.work import KEY
 from pendula.many.sweep.rows import ENDS, ROW, TIME
 
 if TYPE_CHECKING:

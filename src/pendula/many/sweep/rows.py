@@ -33,10 +33,13 @@ _RUNS = 0.9  # of the work; the rest are energies
 def work_of(recipe: SweepRecipe) -> Work:
     """The sweep as work in chunks of rows."""
     times, count = recipe.times, recipe.sampler.count
-    told = {"units": "s", "long_name": "time"}
+    attributes = {"units": "s", "long_name": "time"}
     return Work(
-        recipe={"pendula": __version__, "sweep": recipe.resolved},
-        axes=(Axis(ROW, count, chunk=recipe.chunk), Axis(TIME, len(times), None, times, told)),
+        inputs={"pendula": __version__, "sweep": recipe.resolved},
+        axes=(
+            Axis(ROW, count, chunk=recipe.chunk),
+            Axis(TIME, len(times), None, times, attributes),
+        ),
         variables=tuple(_variables(recipe)),
         compute=SweepRows(recipe),
         attrs={
@@ -112,8 +115,8 @@ def _variables(recipe: SweepRecipe) -> Iterator[Variable]:
         meaning = f"until when every angle is right to {recipe.certify:g} rad; inf: throughout"
         yield _number("trust_horizon", one, "s", meaning)
     yield _number("reached", one, "s", "until when the run was made")
-    told = {"units": "1", "long_name": "steps of the run"}
-    yield Variable("n_steps", one, "int64", -1, told)
+    attributes = {"units": "1", "long_name": "steps of the run"}
+    yield Variable("n_steps", one, "int64", -1, attributes)
     flags = {"flag_values": list(range(len(ENDS))), "flag_meanings": " ".join(ENDS)}
     yield Variable("outcome", one, "uint8", MISSING, {"long_name": "how the run ended", **flags})
 

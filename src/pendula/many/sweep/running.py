@@ -6,7 +6,7 @@ import os
 from pathlib import PurePath
 from typing import TYPE_CHECKING, Any
 
-from pendula._checks import check_progress, whole_number
+from pendula._checks import check_progress, check_threads
 from pendula._messages import ArgumentError
 from pendula.many.chunks import run
 from pendula.many.chunks.cluster import check_client
@@ -14,7 +14,6 @@ from pendula.many.chunks.places import checked_name
 from pendula.many.sweep.reading import read_sweep
 from pendula.many.sweep.recipe import SweepRecipe
 from pendula.many.sweep.rows import work_of
-from pendula.many.tasks import MOST_THREADS
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -37,7 +36,7 @@ def sweep(
     """The trajectories of many systems, from many starts, that a recipe describes.
 
     Each row has the bits that `solve` gives it alone, whatever the threads, chunks or workers. What
-    goes wrong with one is told in its outcome: its numbers are NaN from there on.
+    goes wrong with one is said by its outcome: its numbers are NaN from there on.
 
     Args:
         recipe: a TOML file, or what `pendula.sweeping.read_sweep` made of it.
@@ -47,7 +46,7 @@ def sweep(
             cannot be gone on with. None: in memory.
         client: of a Dask cluster that computes the chunks.
         threads: None: one for each processor; on a cluster one for each task.
-        progress: told the part that is done, 0 to 1.
+        progress: called with the part that is done, 0 to 1.
         resume: go on with an existing store; else it is refused.
         overwrite: begin an existing one anew.
 
@@ -71,8 +70,7 @@ def sweep(
         return run(work, store, **place, resume=resume, overwrite=overwrite)
     from pendula.many.sweep.parquet import write_parquet
 
-    if threads is not None:
-        whole_number("threads", threads, MOST_THREADS)
+    check_threads(threads)
     if client is not None:
         check_client(client)
     return write_parquet(work, os.fspath(store), **place, overwrite=overwrite)

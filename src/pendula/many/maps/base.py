@@ -1,4 +1,4 @@
-"""What all maps share: their arguments, their recipe and the runs of their cells."""
+"""What all maps share: their arguments, their inputs and the runs of their cells."""
 
 from __future__ import annotations
 
@@ -44,16 +44,16 @@ class Map:
     t_max: float
 
     @property
-    def recipe(self) -> dict[str, Any]:
-        """All that decides the numbers."""
-        told = {each.name: getattr(self, each.name) for each in fields(self)}
-        told |= {"system": self.system.description()}
-        del told["cells"]
-        return {"pendula": __version__, "map": self.kind, **told, **self.cells.description()}
+    def inputs(self) -> dict[str, Any]:
+        """Everything that the numbers follow from."""
+        own = {each.name: getattr(self, each.name) for each in fields(self)}
+        own |= {"system": self.system.description()}
+        del own["cells"]
+        return {"pendula": __version__, "map": self.kind, **own, **self.cells.description()}
 
     @property
     def variables(self) -> tuple[Variable, ...]:
-        """What is told of each cell."""
+        """The arrays of the map."""
         raise NotImplementedError
 
     def __call__(
@@ -75,7 +75,7 @@ class Map:
     def dataset(self, store: Any, **how: Any) -> xr.Dataset:
         """The whole map; `how`: what `pendula.chunks.run` takes."""
         work = Work(
-            recipe=self.recipe,
+            inputs=self.inputs,
             axes=self.cells.axes(),
             variables=self.variables,
             compute=self,
@@ -93,15 +93,14 @@ def checked_map(
     Raises:
         ValueError: naming the argument.
     """
-    check_system(system)
-    assert isinstance(system, System)
-    if not system.can.mapped:
+    one = check_system(system)
+    if not one.can.mapped:
         rule = "must be a double pendulum such as DoublePendulum.rods(), got {value}"
         raise ArgumentError("system", rule, value=system)
     cells = checked_cells(theta1, theta2, shape)
     end = positive_number("t_max", t_max, "s")
-    checked_tolerance(system, end, None)
-    return system, cells, end
+    checked_tolerance(one, end, None)
+    return one, cells, end
 
 
 def checked_tolerance(system: System, t_max: float, tolerance: object) -> float:

@@ -111,7 +111,7 @@ def _reached(run: Trajectory) -> float:
 
 
 def _found(known: dict[str, Any]) -> dict[str, Any]:
-    """What a run told besides its states; files of earlier versions have none of it."""
+    """What a run found besides its states; files of earlier versions have none of it."""
     import numpy as np
 
     width = len(known["state"])
