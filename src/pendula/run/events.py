@@ -149,8 +149,13 @@ def crossings_of(found: Iterable[_engine.Crossings], dimension: int) -> tuple[Cr
 def _event(
     kind: str, i: int, value: float, direction: int, terminal: bool | int, every_turn: bool
 ) -> Event:
-    index = whole_number("i", i, 2)
+    index = whole_number("i", i, _most_rods())
     return Event(kind, index, value, bool(every_turn), _direction(direction), _terminal(terminal))
+
+
+def _most_rods() -> int:
+    """That any system has; the core looks at whether this one does."""
+    return max(each.can.degrees_of_freedom for each in _engine.system_entries().values())
 
 
 def _direction(direction: object) -> int:
