@@ -7,30 +7,18 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import pytest
 
+from catalogue import ADAPTIVE, SYSTEMS, TAKEN, any_states, control, label, taking
 from horizons import horizon
-from pendula import DoublePendulum, Ensemble, LinearPendulum, SimplePendulum, ensemble, solve
-from pendula._engine import methods
+from pendula import DoublePendulum, Ensemble, SimplePendulum, ensemble, solve
 from pendula.events import angle, flip, tip_height, velocity_zero
 
 if TYPE_CHECKING:
     from pendula.systems import System
 
 RODS = DoublePendulum.rods()
-SYSTEMS: tuple[System, ...] = (
-    LinearPendulum(0.5, 9.81),
-    SimplePendulum(0.5, 9.81, 2.0),
-    RODS,
-    DoublePendulum.bobs(1.0, 0.3, 0.7, 1.1),
-)
-ALL = [(m, s) for m in methods() for s in SYSTEMS if s.name in m.systems]
-NAMES = [f"{m.name}-{s.name}-{s.form}" for m, s in ALL]
-
-
-def starts(system: System, count: int, seed: int = 1) -> np.ndarray:
-    """Any states, from small swings to wild ones."""
-    numbers = np.random.default_rng(seed)
-    size = numbers.uniform(0.1, 1.0, (count, 1))
-    return numbers.uniform(-3.0, 3.0, (count, len(system.components))) * size
+SIMPLE = SimplePendulum(0.5, 9.81, 2.0)
+NAMES = [each.name for each in ADAPTIVE]
+ONE_BOB = [each for each in SYSTEMS if each.can.degrees_of_freedom == 1]
 
 
 def check_alone(
@@ -56,56 +44,52 @@ def check_alone(
             assert many.trust_horizon[i] == run.trust_horizon
 
 
-def settings(method: Any) -> dict[str, Any]:
-    return {} if method.adaptive else {"step": 0.01}
-
-
 # ---- the same bits ----
 
 
 @pytest.mark.parametrize("count", [1, 7, 33])
-@pytest.mark.parametrize(("method", "system"), ALL, ids=NAMES)
+@pytest.mark.parametrize(("method", "system"), TAKEN, ids=label)
 def test_each_has_the_bits_of_a_run_alone(method: Any, system: System, count: int) -> None:
-    states, t = starts(system, count), [0.0, 0.3, 0.5001, 1.0]
+    states, t = any_states(system, count), [0.0, 0.3, 0.5001, 1.0]
     for threads in (1, 2, 3):
-        many = ensemble(system, states, t, method.name, threads=threads, **settings(method))
+        many = ensemble(system, states, t, method.name, threads=threads, **control(method))
         assert many.states.shape == (count, 4, len(system.components))
         assert len(many) == count
-        check_alone(many, system, states, t, method.name, **settings(method))
+        check_alone(many, system, states, t, method.name, **control(method))
 
 
-@pytest.mark.parametrize(("method", "system"), ALL, ids=NAMES)
+@pytest.mark.parametrize(("method", "system"), TAKEN, ids=label)
 def test_backward_in_time_from_another_origin(method: Any, system: System) -> None:
-    states, t = starts(system, 9), [1.7, 1.6, 0.913]
-    options: dict[str, Any] = {"t0": 2.0, **settings(method)}
+    states, t = any_states(system, 9), [1.7, 1.6, 0.913]
+    options: dict[str, Any] = {"t0": 2.0, **control(method)}
     many = ensemble(system, states, t, method.name, **options)
     check_alone(many, system, states, t, method.name, **options)
 
 
-@pytest.mark.parametrize("method", [m for m in methods() if "double" in m.systems])
+@pytest.mark.parametrize("method", taking("double"), ids=label)
 def test_systems_of_their_own(method: Any) -> None:
     lengths = np.linspace(0.5, 2.0, 19)
     systems = [DoublePendulum.rods(m2=x, l1=x) for x in lengths]
-    states = starts(systems[0], 19)
+    states = any_states(systems[0], 19)
     for given in (states, states[3]):
-        many = ensemble(systems, given, [0.5, 1.0], method.name, **settings(method))
-        check_alone(many, systems, given, [0.5, 1.0], method.name, **settings(method))
+        many = ensemble(systems, given, [0.5, 1.0], method.name, **control(method))
+        check_alone(many, systems, given, [0.5, 1.0], method.name, **control(method))
         for i, system in enumerate(systems):
             np.testing.assert_array_equal(many.energy[i], system.energy(many.states[i]))
 
 
 def test_a_list_of_one_system_is_that_system() -> None:
-    states = starts(RODS, 3)
+    states = any_states(RODS, 3)
     many, alike = (ensemble(given, states, [0.5, 1.0]) for given in ([RODS], RODS))
     np.testing.assert_array_equal(many.states, alike.states)
     np.testing.assert_array_equal(many.energy, alike.energy)
     assert alike.energy.shape == (3, 2)
 
 
-@pytest.mark.parametrize("method", ["taylor", "dop853"])
+@pytest.mark.parametrize("method", NAMES)
 @pytest.mark.parametrize("direction", [1.0, -1.0])
 def test_many_outputs_within_a_step(method: str, direction: float) -> None:
-    states = starts(RODS, 11)
+    states = any_states(RODS, 11)
     t = direction * np.concatenate([[0.0], np.geomspace(1e-9, 1.0, 200)])
     many = ensemble(RODS, states, t, method, tolerance=1e-4)
     assert (many.n_steps < 50).all()
@@ -113,39 +97,35 @@ def test_many_outputs_within_a_step(method: str, direction: float) -> None:
 
 
 @pytest.mark.parametrize("tolerance", [1e-3, 1e-8, 2.0**-52])
-@pytest.mark.parametrize("method", ["taylor", "dop853"])
+@pytest.mark.parametrize("method", NAMES)
 def test_any_tolerance(method: str, tolerance: float) -> None:
-    states = starts(RODS, 10)
+    states = any_states(RODS, 10)
     many = ensemble(RODS, states, [4.0], method, tolerance=tolerance)
     check_alone(many, RODS, states, [4.0], method, tolerance=tolerance)
 
 
-@pytest.mark.parametrize("method", ["taylor", "rk4", "verlet"])
-def test_nothing_but_the_start(method: str) -> None:
-    system = SYSTEMS[1]
-    step: dict[str, Any] = {} if method == "taylor" else {"step": 0.1}
-    many = ensemble(system, starts(system, 5), [0.0], method, **step)
-    np.testing.assert_array_equal(many.states[:, 0], starts(system, 5))
-    check_alone(many, system, starts(system, 5), [0.0], method, **step)
+@pytest.mark.parametrize(("method", "system"), TAKEN, ids=label)
+def test_nothing_but_the_start(method: Any, system: System) -> None:
+    states = any_states(system, 5)
+    many = ensemble(system, states, [0.0], method.name, **control(method))
+    np.testing.assert_array_equal(many.states[:, 0], states)
+    check_alone(many, system, states, [0.0], method.name, **control(method))
 
 
-@pytest.mark.parametrize("method", [each.name for each in methods() if not each.adaptive])
-def test_the_first_output_is_the_start_as_it_was_given(method: str) -> None:
+@pytest.mark.parametrize(("method", "system"), TAKEN, ids=label)
+def test_the_first_output_is_the_start_as_it_was_given(method: Any, system: System) -> None:
     """Through momenta and back a method may lose the last bits."""
-    system = (
-        RODS if "double" in next(m for m in methods() if m.name == method).systems else SYSTEMS[1]
-    )
-    states = starts(system, 20)
+    states = any_states(system, 20)
     for t in ([0.0], [0.0, 0.05]):
-        many = ensemble(system, states, t, method, step=0.01)
+        many = ensemble(system, states, t, method.name, **control(method))
         np.testing.assert_array_equal(many.states[:, 0], states)
         for own in (t, 0.05):
-            alone = solve(system, states[0], own, method, step=0.01)
+            alone = solve(system, states[0], own, method.name, **control(method))
             np.testing.assert_array_equal(alone.states[0], states[0])
 
 
 def test_one_end_time_is_one_output() -> None:
-    states = starts(RODS, 4)
+    states = any_states(RODS, 4)
     many = ensemble(RODS, states, 2.0)
     assert many.t.tolist() == [2.0]
     np.testing.assert_array_equal(many.states, ensemble(RODS, states, [2.0]).states)
@@ -162,9 +142,9 @@ def test_none_is_no_error() -> None:
 
 
 @pytest.mark.parametrize("direction", [1.0, -1.0])
-@pytest.mark.parametrize("method", ["taylor", "dop853"])
+@pytest.mark.parametrize("method", NAMES)
 def test_events_are_recorded(method: str, direction: float) -> None:
-    states = 3.0 * starts(RODS, 21)
+    states = 3.0 * any_states(RODS, 21)
     asked = (
         flip(1),
         flip(2, 1),
@@ -185,9 +165,9 @@ def test_events_are_recorded(method: str, direction: float) -> None:
 
 
 @pytest.mark.parametrize("terminal", [1, 3])
-@pytest.mark.parametrize("method", ["taylor", "dop853"])
+@pytest.mark.parametrize("method", NAMES)
 def test_an_event_ends_its_own_run(method: str, terminal: int) -> None:
-    states = 3.0 * starts(RODS, 40)
+    states = 3.0 * any_states(RODS, 40)
     options: dict[str, Any] = {
         "events": (flip(1, terminal=terminal), flip(2, terminal=terminal), tip_height(0.0)),
         "tolerance": 1e-8,
@@ -201,9 +181,9 @@ def test_an_event_ends_its_own_run(method: str, terminal: int) -> None:
     assert (many.reached[~ended] == 5.0).all()
 
 
-@pytest.mark.parametrize("system", SYSTEMS[:2], ids=lambda s: s.name)
+@pytest.mark.parametrize("system", ONE_BOB, ids=label)
 def test_events_of_one_bob(system: System) -> None:
-    states = 4.0 * starts(system, 17)
+    states = 4.0 * any_states(system, 17)
     options: dict[str, Any] = {"events": (flip(1), velocity_zero(1), tip_height(-0.1))}
     many = ensemble(system, states, [4.0], **options)
     check_alone(many, system, states, [4.0], "taylor", **options)
@@ -212,30 +192,30 @@ def test_events_of_one_bob(system: System) -> None:
 # ---- bad ones ----
 
 
-@pytest.mark.parametrize("method", ["taylor", "dop853", "rk4", "gauss4", "verlet"])
-def test_one_that_goes_wrong_leaves_the_others_alone(method: str) -> None:
-    system = SYSTEMS[1]
-    good = starts(system, 12)
+@pytest.mark.parametrize("method", taking("simple"), ids=label)
+def test_one_that_goes_wrong_leaves_the_others_alone(method: Any) -> None:
+    system = SIMPLE
+    good = any_states(system, 12)
     bad = [[2.0**27, 0.0], [1.0, 1e300], [2.0**26 - 3.0, 50.0]]
     places = [0, 5, 6, 14]
     states = np.insert(good, [0, 4, 4, 11], [*bad, [-3e9, 1.0]], axis=0)
-    options: dict[str, Any] = {} if method in ("taylor", "dop853") else {"step": 0.01}
+    options = control(method)
     t = [0.5, 1.0]
-    many = ensemble(system, states, t, method, **options)
+    many = ensemble(system, states, t, method.name, **options)
     assert [i for i in range(16) if many.outcomes[i] != "reached_end"] == places
     assert set(many.outcomes[places]) == {"not_finite"}
-    check_alone(many, system, states, t, method, **options)
+    check_alone(many, system, states, t, method.name, **options)
     rest = np.delete(many.states, places, axis=0)
-    np.testing.assert_array_equal(rest, ensemble(system, good, t, method, **options).states)
+    np.testing.assert_array_equal(rest, ensemble(system, good, t, method.name, **options).states)
 
 
 @pytest.mark.parametrize("limit", [1, 7, 12])
-@pytest.mark.parametrize(("method", "system"), ALL, ids=NAMES)
+@pytest.mark.parametrize(("method", "system"), TAKEN, ids=label)
 def test_a_limit_of_steps(method: Any, system: System, limit: int) -> None:
-    states, t = starts(system, 20), [0.05, 0.11, 1.0]
-    options: dict[str, Any] = {"max_steps": limit, **settings(method)}
+    states, t = any_states(system, 20), [0.05, 0.11, 1.0]
+    options: dict[str, Any] = {"max_steps": limit, **control(method)}
     many = ensemble(system, states, t, method.name, **options)
-    assert "step_limit" in many.outcomes or method.name == "taylor"
+    assert "step_limit" in many.outcomes or method.needs == "analytic"  # whose steps are long
     check_alone(many, system, states, t, method.name, **options)
 
 
@@ -245,7 +225,7 @@ def test_a_limit_of_steps(method: Any, system: System, limit: int) -> None:
 @pytest.mark.parametrize(("method", "options"), [("taylor", {"tolerance": 1e-7}), ("rk4", {})])
 def test_the_horizon_of_each_is_that_of_its_run(method: str, options: dict[str, Any]) -> None:
     options = {"step": 0.01} if method == "rk4" else options
-    states = starts(RODS, 6)
+    states = any_states(RODS, 6)
     states[2, 0] = 2.0**27  # right until its first step at most, as is the next one
     states[3, 2] = 1e300
     many = ensemble(RODS, states, [4.0, 8.0], method, certify=1e-5, threads=2, **options)
@@ -259,7 +239,7 @@ def test_the_horizon_of_each_is_that_of_its_run(method: str, options: dict[str, 
 
 
 def test_events_and_certify_go_together() -> None:
-    states = 3.0 * starts(RODS, 6)
+    states = 3.0 * any_states(RODS, 6)
     options: dict[str, Any] = {"certify": 1e-6, "events": flip(2, terminal=True)}
     many = ensemble(RODS, states, [6.0], tolerance=1e-4, **options)
     check_alone(many, RODS, states, [6.0], "taylor", tolerance=1e-4, **options)

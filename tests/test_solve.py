@@ -8,14 +8,15 @@ from typing import Any
 import numpy as np
 import pytest
 
-from pendula import DoublePendulum, LinearPendulum, SimplePendulum, exact, methods, solve
+from catalogue import ENTRIES, FIXED, METHODS, label, made
+from pendula import DoublePendulum, SimplePendulum, exact, solve
 from stored import cases
 
 RODS = DoublePendulum.rods(gravity=9.81)
 SIMPLE = SimplePendulum(0.5, 9.81)
-FIXED = [each for each in methods() if not each.adaptive]
-METHODS = [each.name for each in FIXED]
+NAMES = [each.name for each in FIXED]
 OF_RODS = [each.name for each in FIXED if "double" in each.systems]
+CLOSED = [made(each.name, length=0.5) for each in ENTRIES if each.can.closed_form]
 
 # Uniform rods, m = l = 1, g = 9.81, from rest at (2, 2.5): FLINT with 60 digits.
 CHECK = {
@@ -30,10 +31,29 @@ def test_the_catalogue() -> None:
         **{"yoshida6": 6, "yoshida8": 8, "midpoint": 2, "gauss4": 4, "gauss6": 6, "gauss8": 8},
     }
     assert {each.name: each.order for each in FIXED} == orders
-    assert [each.name for each in FIXED if not each.symplectic] == ["euler", "heun", "rk4"]
-    one_bob = ["symplectic-euler", "verlet", "yoshida4", "yoshida6", "yoshida8"]
-    assert [name for name in METHODS if name not in OF_RODS] == one_bob
-    assert all(each.source and each.systems[:2] == ("linear", "simple") for each in methods())
+    assert [each.name for each in METHODS if each.adaptive] == ["dop853", "taylor"]
+    needs = {
+        **dict.fromkeys(("euler", "heun", "rk4"), "flow"),
+        **dict.fromkeys(("symplectic-euler", "verlet", "yoshida4", "yoshida6"), "separable"),
+        **dict.fromkeys(("yoshida8",), "separable"),
+        **dict.fromkeys(("midpoint", "gauss4", "gauss6", "gauss8"), "mechanical"),
+        **{"dop853": "energetic", "taylor": "analytic"},
+    }
+    assert {each.name: each.needs for each in METHODS} == needs
+    assert all(each.source for each in METHODS)
+    assert {each.name for each in METHODS if each.symplectic} == {
+        name for name, need in needs.items() if need in ("separable", "mechanical")
+    }
+
+
+def test_which_systems_a_method_takes_follows_from_what_it_needs() -> None:
+    takers: dict[str, set[tuple[str, ...]]] = {}
+    for each in METHODS:
+        takers.setdefault(each.needs, set()).add(each.systems)
+    assert all(len(systems) == 1 for systems in takers.values())
+    all_systems = tuple(each.name for each in ENTRIES)
+    assert takers["flow"] == {all_systems}
+    assert all(set(systems) <= set(all_systems) for each in takers.values() for systems in each)
 
 
 def test_rods_reach_the_check_values() -> None:
@@ -52,8 +72,8 @@ def test_the_stored_solutions_of_the_double_pendulum() -> None:
         np.testing.assert_allclose(run.states, want, rtol=0, atol=2e-9)
 
 
-@pytest.mark.parametrize("method", FIXED, ids=METHODS)
-@pytest.mark.parametrize("system", [LinearPendulum(0.5, 9.81), SIMPLE], ids=["linear", "simple"])
+@pytest.mark.parametrize("method", FIXED, ids=label)
+@pytest.mark.parametrize("system", CLOSED, ids=label)
 def test_the_measured_order_is_the_order(system: Any, method: Any) -> None:
     start, end = (2.0, 0.0), 1.0
     truth = exact(system, start, end).states[-1]
@@ -87,7 +107,7 @@ def test_the_last_step_is_shortened_to_the_end() -> None:
     assert run.n_steps == 3
 
 
-@pytest.mark.parametrize("method", METHODS)
+@pytest.mark.parametrize("method", NAMES)
 def test_backward_in_time(method: str) -> None:
     there = solve(SIMPLE, (1.0, 0.3), 5.0, method, t0=3.0, step=1e-4)
     back = solve(SIMPLE, there.states[-1], 3.0, method, t0=5.0, step=1e-4)
@@ -137,7 +157,7 @@ def test_the_step_limit() -> None:
     [
         (
             {"method": "rk5"},
-            f"^method must be one of {', '.join(m.name for m in methods())}; got 'rk5'",
+            f"^method must be one of {', '.join(m.name for m in METHODS)}; got 'rk5'",
         ),
         ({"step": None}, "^step is needed by the fixed-step method 'rk4'"),
         ({"step": 0}, r"^step must be positive \[s\], got 0\.0"),

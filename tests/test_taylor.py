@@ -13,13 +13,15 @@ from typing import Any
 import numpy as np
 import pytest
 
-from pendula import DoublePendulum, LinearPendulum, SimplePendulum, _engine, exact, methods, solve
+from catalogue import ADAPTIVE, ENTRIES, label, made
+from pendula import DoublePendulum, LinearPendulum, SimplePendulum, _engine, exact, solve
 from stored import EPS, cases
 
 RODS = DoublePendulum.rods(gravity=9.81)
 SIMPLE = SimplePendulum(0.5, 9.81)
 WILD = (2.0, 2.5, 0.0, 0.0)
-ADAPTIVE = [each.name for each in methods() if each.adaptive]
+NAMES = [each.name for each in ADAPTIVE]
+CLOSED = [made(each.name, length=0.5) for each in ENTRIES if each.can.closed_form]
 
 
 def largest(difference: Any) -> float:
@@ -51,7 +53,7 @@ def test_the_stored_solutions_to_the_rounding_of_their_inputs(case: dict[str, An
     assert (error <= 3 * carried.max(axis=1, keepdims=True)).all()
 
 
-@pytest.mark.parametrize("system", [LinearPendulum(0.5, 9.81), SIMPLE], ids=["linear", "simple"])
+@pytest.mark.parametrize("system", CLOSED, ids=label)
 @pytest.mark.parametrize("state", [(0.1, 0.0), (3.1, 0.0), (-1.0, 5.0), (0.0, 9.5), (50.0, -20.0)])
 def test_the_closed_form(system: Any, state: tuple[float, float]) -> None:
     t = np.linspace(0.0, 10.0, 101)
@@ -133,7 +135,7 @@ def test_a_late_start_changes_nothing() -> None:
 
 
 @pytest.mark.parametrize(("t0", "end"), [(0.0, 30.0), (-5.0, 400.0), (7.0, -20.0)])
-@pytest.mark.parametrize("method", ADAPTIVE)
+@pytest.mark.parametrize("method", NAMES)
 def test_dense_output_is_what_the_run_would_have_put_out(
     method: str, t0: float, end: float
 ) -> None:

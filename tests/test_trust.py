@@ -17,7 +17,7 @@ from mpmath import mp
 import truth
 from horizons import horizon
 from pendula import DoublePendulum, LinearPendulum, SimplePendulum, solve
-from pendula.run.trust import digits_states
+from pendula.run.trust import DigitsError, digits_states
 from stored import cases
 
 if TYPE_CHECKING:
@@ -88,8 +88,10 @@ def test_rest_stays_rest_and_small_swings_keep_their_digits() -> None:
 
 def test_more_digits_than_there_are_say_how_far_they_go() -> None:
     system, state = rods(CHAOTIC[0])
-    with pytest.raises(ValueError, match=r"digits = 12 at t = 5000 s .* end the run at about t = "):
+    message = r"digits = 12 at t = 5000 s .* end the run at about t = "
+    with pytest.raises(DigitsError, match=message) as error:
         digits_states(system, state, np.array([5000.0]), 0.0, 12)
+    assert error.value.outcome == "digits_limit"  # of an ensemble's run
 
 
 def first_bad(case: dict[str, Any], angles: Array, tolerance: float) -> int:

@@ -12,7 +12,8 @@ import numpy as np
 import pytest
 from matplotlib.colors import to_hex
 
-from pendula import DoublePendulum, LinearPendulum, SimplePendulum, exact, methods, plot, solve
+from catalogue import METHODS, taking
+from pendula import DoublePendulum, LinearPendulum, SimplePendulum, exact, plot, solve
 from pendula.analysis import (
     MethodWork,
     WorkPrecision,
@@ -49,10 +50,9 @@ def made(errors: list[float], evaluations: list[float]) -> MethodWork:
 
 
 def test_all_methods_that_take_the_system_are_run(simple: WorkPrecision) -> None:
-    takers = [each.name for each in methods() if "simple" in each.systems]
-    assert [each.method for each in simple.methods] == takers
+    assert [each.method for each in simple.methods] == [each.name for each in taking("simple")]
     assert [each.method for each in work_precision(RODS, START, 0.5, timed=False).methods] == [
-        each.name for each in methods() if "double" in each.systems
+        each.name for each in taking("double")
     ]
 
 
@@ -68,7 +68,7 @@ def test_errors_and_counts_are_those_of_runs(simple: WorkPrecision) -> None:
 
 
 def test_no_step_is_shortened_for_an_output(simple: WorkPrecision) -> None:
-    for each in methods():
+    for each in METHODS:
         if each.evaluations_per_step is not None and not each.adaptive:
             work = of(simple, each.name)
             steps = np.round(5.0 / work.settings)
@@ -89,7 +89,7 @@ def test_high_orders_come_down_to_rounding(simple: WorkPrecision) -> None:
 
 
 def test_a_coefficient_of_the_series_is_an_evaluation(simple: WorkPrecision) -> None:
-    assert series_order(2.0**-52) == next(m.order for m in methods() if m.name == "taylor")
+    assert series_order(2.0**-52) == next(m.order for m in METHODS if m.name == "taylor")
     assert series_order(1e-3) == 6
     work = of(simple, "taylor")
     run = solve(SIMPLE, LARGE, simple.t, tolerance=float(work.settings[0]))
@@ -237,11 +237,11 @@ def test_wrong_use_is_told(given: dict[str, Any], told: str) -> None:
 
 
 def test_every_method_looks_different() -> None:
-    looks = {(line(each.name)["color"], MARKERS[each.name]) for each in methods()}
-    assert len(looks) == len(methods())
-    marks = {each.name: MARKERS[each.name] for each in methods()}
-    for one in methods():
-        for other in methods():
+    looks = {(line(each.name)["color"], MARKERS[each.name]) for each in METHODS}
+    assert len(looks) == len(METHODS)
+    marks = {each.name: MARKERS[each.name] for each in METHODS}
+    for one in METHODS:
+        for other in METHODS:
             same = marks[one.name] == marks[other.name]
             assert same == (one.order == other.order), (one.name, other.name)
 

@@ -187,12 +187,6 @@ class OptionRow:
     meaning: str
     otherwise: str
 
-    @property
-    def sentence(self) -> str:
-        """A line of a docstring."""
-        unit = f" [{self.unit}]" if self.unit else ""
-        return f"{self.name}: {self.meaning}{unit}; None: {self.otherwise}."
-
 
 @cache
 def option_rows() -> tuple[OptionRow, ...]:

@@ -16,8 +16,8 @@ if TYPE_CHECKING:
     from pendula._types import Array
 
 
-MOST_RODS = max(each.can.degrees_of_freedom for each in _engine.system_entries().values())
 _REST_OF_PI = 1.2246467991473532e-16  # π less the double nearest to it
+MOST_RODS = max(each.can.degrees_of_freedom for each in _engine.system_entries().values())
 
 
 class Crossings(NamedTuple):

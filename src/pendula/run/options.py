@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import inspect
+import textwrap
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, fields
 from typing import TYPE_CHECKING, Any, TypedDict, cast
@@ -73,15 +74,17 @@ def options_from(data: Mapping[str, Any]) -> dict[str, Any]:
     return {**known, "events": tuple(map(event_from, data.get("events") or ()))}
 
 
-def checked_types(given: Mapping[str, Any], function: str) -> dict[str, Any]:
+def checked_types(
+    given: Mapping[str, Any], function: str, taken: Iterable[str] = NAMES
+) -> dict[str, Any]:
     """The fields of `Options` from the arguments of a function, as numbers and events.
 
     Raises:
-        TypeError: for an option that there is none of.
+        TypeError: for an option that the function does not take.
         ValueError: for what is no number, no whole number, or no event.
     """
     for name in given:
-        if name not in NAMES:
+        if name not in taken:
             raise TypeError(f"{function}() got an unexpected keyword argument {name!r}")
     return {
         **{
@@ -93,33 +96,52 @@ def checked_types(given: Mapping[str, Any], function: str) -> dict[str, Any]:
     }
 
 
-def takes_options(*names: str) -> Callable[[Function], Function]:
+def takes_options(*names: str, **otherwise: str) -> Callable[[Function], Function]:
     """Give a function that takes **options these options in its signature and its help.
 
     Args:
         *names: the options that it takes; none: all.
+        **otherwise: what the function does without an option, where that is not what runs do.
     """
+    taken = names or NAMES
 
     def with_options(function: Function) -> Function:
-        taken = names or NAMES
         signature = inspect.signature(function)
         kept = [each for each in signature.parameters.values() if each.kind is not each.VAR_KEYWORD]
-        defaults = {each.name: each.default for each in fields(Options)}
         options = [
-            inspect.Parameter(name, inspect.Parameter.KEYWORD_ONLY, default=defaults[name])
-            for name in taken
+            inspect.Parameter(
+                each.name,
+                inspect.Parameter.KEYWORD_ONLY,
+                default=each.default,
+                annotation=RunOptions.__annotations__[each.name].__forward_arg__,
+            )
+            for each in fields(Options)
+            if each.name in taken
         ]
         function.__signature__ = signature.replace(parameters=[*kept, *options])  # type: ignore[attr-defined]
-        lines = "\n".join(f"        {row.sentence}" for row in ROWS.values() if row.name in taken)
-        marker = "        **options: see `RunOptions`."
-        function.__doc__ = (function.__doc__ or "").replace(
-            marker, lines + _EVENTS * ("events" in taken)
-        )
+        lines = "\n".join(_lines(name, otherwise.get(name)) for name in taken)
+        function.__doc__ = (function.__doc__ or "").replace(_MARKER, lines)
         return function
 
     return with_options
 
 
-_EVENTS = (
-    "\n        events: what to look for inside the steps of an adaptive method: `pendula.events`."
-)
+def _lines(name: str, otherwise: str | None) -> str:
+    """The option's entry in a docstring, wrapped."""
+    if name == "events":
+        sentence = _EVENTS
+    else:
+        row = ROWS[name]
+        unit = f" [{row.unit}]" if row.unit else ""
+        default = otherwise or row.otherwise
+        when = "" if default.startswith("required") else "None: "
+        sentence = f"{name}: {row.meaning}{unit}; {when}{default}."
+    indent = " " * 8
+    return textwrap.fill(
+        sentence, _WIDTH, initial_indent=indent, subsequent_indent=indent + " " * 4
+    )
+
+
+_MARKER = "        **options: see `RunOptions`."
+_EVENTS = "events: what to look for inside the steps of an adaptive method: see `pendula.events`."
+_WIDTH = 100

@@ -23,9 +23,10 @@ if TYPE_CHECKING:
 
 _MOST_CROSSINGS = 10**8  # 4 GB
 _MOST_STEPS = 10**8  # about a minute
+_OPTIONS = "tolerance", "max_steps"
 
 
-@takes_options("tolerance", "max_steps")
+@takes_options(*_OPTIONS, max_steps="a hundred million")
 def poincare_section(
     system: System,
     state: ArrayLike,
@@ -61,7 +62,7 @@ def poincare_section(
         t=np.array([math.inf]),  # no outputs
         t0=finite_number("t0", t0, "s"),
         **{
-            **checked_types(options, "poincare_section"),
+            **checked_types(options, "poincare_section", _OPTIONS),
             "events": (replace(surface, terminal=count),),
         },
     )

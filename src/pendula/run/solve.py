@@ -53,9 +53,10 @@ def solve(
         **options: see `RunOptions`.
 
     Returns:
-        The trajectory; its `outcome` says how the run ended, and its times what was reached.
+        The trajectory; `outcome` says how the run ended, `reached` how far it came.
 
     Raises:
+        TypeError: for an option that there is none of.
         ValueError: for an unknown method, or an argument out of range.
     """
     check_system(system)
