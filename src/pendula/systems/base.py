@@ -130,7 +130,7 @@ class ClosedForm(System):
         raise NotImplementedError
 
     def check_start(self, states: Array) -> None:
-        """Refuse states (..., 2) that the closed form has no digits for.
+        """Refuse states (..., 2) for which the closed form has no accurate digit.
 
         Raises:
             ValueError: for an angle of 2^50 rad or more (linear: 2^900), or a speed of 2^900
