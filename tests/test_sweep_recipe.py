@@ -229,11 +229,7 @@ def _double(system: str = "", state: str = "", run: str = 't_max = "1 s"') -> st
         (_double('l1 = { grid = ["1 m", "2 m"] }'), 3, "grid must be two ends and a count"),
         (_double('l1 = { grid = ["1 m", "2 m", 1] }'), 3, "a grid must have at least 2 values"),
         (_double('l1 = { grid = ["1 m", "2 m", 2.5] }'), 3, "the count of a grid must be a whole"),
-        (
-            _double("l1 = { list = [] }"),
-            3,
-            "system.l1: list must be a list of one value at least, got []",
-        ),
+        (_double("l1 = { list = [] }"), 3, "system.l1: list must be a list of one value at least"),
         (_double('l1 = { same_as = "m1" }'), 3, "same_as must be one of l2, got"),
         (
             _double('l1 = { same_as = "l2" }\nl2 = { same_as = "l1" }'),
@@ -241,11 +237,7 @@ def _double(system: str = "", state: str = "", run: str = 't_max = "1 s"') -> st
             "system.l1 cannot be the same as another",
         ),
         (_double('l1 = "1e300 m"'), 3, "parameters cannot be computed with: their constant A is"),
-        (
-            _double('l1 = { grid = ["1 m", "1e300 m", 2] }'),
-            3,
-            "parameters cannot be computed with: their constant A is",
-        ),
+        (_double('l1 = { grid = ["1 m", "1e300 m", 2] }'), 3, "computed with: their constant A"),
         (_double(run=""), 6, 'run.t_max is needed, the end of each run; write t_max = "30 s"'),
         (_double(run="t_max = 1"), 7, "run.t_max needs a quantity with its unit, in quotes, got 1"),
         (_double(run='t_max = "-1 s"'), 7, 'run.t_max must be positive, got "-1 s"'),

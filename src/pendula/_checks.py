@@ -36,7 +36,7 @@ def extra(module: str, name: str) -> Any:
 
 
 def number(name: str, value: object, unit: str = "") -> float:
-    """`value` as a float, whichever."""
+    """`value` as a float, finite or not."""
     try:
         if isinstance(value, str | bytes | bool):
             raise TypeError
@@ -104,7 +104,7 @@ def check_finite(name: str, array: Array, unit: str = "") -> None:
 def states_array(
     value: ArrayLike, components: tuple[str, ...], *, finite: bool = True, name: str = "state"
 ) -> Array:
-    """`value` as states of shape (..., d), finite unless the caller sees to that."""
+    """`value` as states of shape (..., d), finite unless the caller checks that."""
     states = (finite_array if finite else numbers_array)(name, value)
     if states.ndim == 0 or states.shape[-1] != len(components):
         raise ArgumentError(
@@ -117,7 +117,7 @@ def states_array(
 
 
 def whole(name: str, value: object, unit: str = "") -> int:
-    """`value` as an int, whichever."""
+    """`value` as an int of any size."""
     try:
         if isinstance(value, bool):
             raise TypeError
@@ -142,7 +142,7 @@ def check_threads(threads: object) -> int | None:
 
 
 def flag(name: str, value: object) -> bool:
-    """`value`, True or False and nothing that only counts as one."""
+    """`value`, which has to be True or False itself."""
     if type(value).__name__ not in ("bool", "bool_"):
         raise ArgumentError(name, "must be True or False, got {value}", value=value)
     return bool(value)

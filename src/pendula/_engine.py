@@ -23,8 +23,8 @@ Description = _core.Description
 class Parameter:
     """A parameter of a system: name, SI unit, range and meaning.
 
-    Where none is named it takes its standard value, or that of the parameter `same_as` names;
-    with neither it is needed.
+    Where it is left out it has its standard value, or that of the parameter `same_as`; with
+    neither it is required.
     """
 
     name: str
@@ -61,7 +61,7 @@ class Form:
 
 @dataclass(frozen=True)
 class Capabilities:
-    """What a system can.
+    """What a system is capable of.
 
     Attributes:
         conservative: its energy is constant.
@@ -157,7 +157,7 @@ def methods() -> tuple[Method, ...]:
 
 
 def method_named(name: str) -> Method:
-    """The method of that name, which there is."""
+    """The method of that name, which has to exist."""
     return next(each for each in methods() if each.name == name)
 
 

@@ -1,4 +1,4 @@
-"""How far work has come that is made of parts."""
+"""Progress of work that consists of parts."""
 
 from __future__ import annotations
 

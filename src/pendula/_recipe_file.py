@@ -65,7 +65,7 @@ class RecipeFile:
 
     @contextmanager
     def blaming(self, section: str, *keys: str) -> Iterator[None]:
-        """Let what is raised inside name the line of the key it is about, or else of these."""
+        """Add to errors raised inside the line of the key they are about, or else of these."""
         try:
             yield
         except ValueError as error:

@@ -1,4 +1,4 @@
-"""Types that many modules name; imported where types are checked alone."""
+"""Types that many modules use, imported for type checking only."""
 
 from __future__ import annotations
 

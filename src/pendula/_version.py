@@ -1,3 +1,3 @@
-"""The version, below all that write it into what they make."""
+"""The version; in a module of its own, as many import it."""
 
 __version__ = "0.1.0"

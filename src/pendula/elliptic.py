@@ -145,7 +145,7 @@ class _Modulus(NamedTuple):
 
 
 def _modulus(k: ArrayLike | None, kc: ArrayLike | None, largest: float) -> _Modulus:
-    """Whichever is given, checked."""
+    """The modulus that is given, checked."""
     import numpy as np
 
     if (k is None) == (kc is None):

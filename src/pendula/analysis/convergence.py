@@ -37,7 +37,7 @@ def convergence_order(
 ) -> ConvergenceOrder:
     """The order of convergence that errors at several steps show.
 
-    The theory, error = C hᵖ + O(hᵖ⁺¹), speaks of small steps only, and rounding hides the error
+    The theory, error = C hᵖ + O(hᵖ⁺¹), holds for small steps only, and rounding hides the error
     of very small ones. So the line is fitted by least squares to the finest steps whose errors
     are neither too small nor too large (Hairer, Nørsett & Wanner 1993, II.3).
 

@@ -23,7 +23,7 @@ _SAMPLES_A_PERIOD = 200  # the largest error is found to (π/200)²/2 of itself,
 
 
 def linear_model_error(amplitude: ArrayLike, swings: float = 1.0) -> Array:
-    """How far the linear solution strays from the exact one after a release from rest.
+    """How far the linear solution departs from the exact one after a release from rest.
 
     It grows with the phase that the linear model gains, at small angles 2π θ0²/16 a period, since
     T ≈ T0 (1 + θ0²/16).

@@ -51,7 +51,7 @@ class MethodWork:
     def to_reach(self, error: float) -> tuple[float, float]:
         """Evaluations and seconds after which the error is first so small [rad]; nan: never.
 
-        Between two runs everything is taken as straight in logarithms.
+        Interpolated linearly in logarithms between two runs.
         """
         there = np.flatnonzero(self.errors <= error)
         if not there.size:
@@ -136,7 +136,7 @@ class WorkPrecision:
         }
 
     def to_dict(self) -> dict[str, list[Any]]:
-        """A row a run, as columns with their units in the names."""
+        """One row per run, as columns with their units in the names."""
         each = [(m, i) for m in self.methods for i in range(len(m.settings))]
         return {
             "method": [m.method for m, _ in each],

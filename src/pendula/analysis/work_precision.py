@@ -38,7 +38,7 @@ _OUTPUTS = 8  # in a time scale: the coarsest step of a method of high order
 _MOST_OUTPUTS = 1000
 _MOST_STEPS = 250_000  # of a run, unless its coarsest step needs as many
 _MOST_SCALES = 100_000.0
-_DECADES = 17  # of error that the steps of one method shall span
+_DECADES = 17  # of error that the steps of one method span
 _WIDEST = 2.0**14  # ratio of its coarsest step to its finest
 _LOW_ORDER = 4
 # Rounds of timing, as something else may slow down one of them; seconds and repetitions in each.
@@ -168,7 +168,7 @@ def _settings(method: _engine.Method, scales: float, outputs: int, points: int) 
     """Tolerances, or the numbers of steps between two outputs, rising."""
     if method.adaptive:
         return np.geomspace(ROWS["tolerance"].most, BEST_TOLERANCE, points)
-    # A low order begins with finer steps: its coarse ones are good for nothing.
+    # A low order begins with finer steps: its coarse ones are useless.
     coarsest = math.ceil(scales * _OUTPUTS * (1 if method.order > _LOW_ORDER else 2) / outputs)
     finest = coarsest * min(10.0 ** (_DECADES / method.order), _WIDEST)
     finest = max(min(finest, _MOST_STEPS / outputs), coarsest + points - 1.0)

@@ -103,7 +103,7 @@ def _write(
 
 
 def _table(found: WorkPrecision) -> str:
-    """A row a method: its best, its error at equal work, and what the targets cost."""
+    """One row per method: its best error, its error at equal work, and what the targets cost."""
     from pendula.cli.tables import table
 
     work = found.equal_work()

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 
 class ChoiceGroup(click.Group):
-    """A group that lists its subcommands to whoever names another, or none."""
+    """A group that lists its subcommands where another, or none, is named."""
 
     def __init__(self, name: str, *, kind: str, **options: Any) -> None:
         super().__init__(name, subcommand_metavar=f"{kind.upper()} [OPTIONS]", **options)
@@ -41,7 +41,7 @@ class ChoiceGroup(click.Group):
 
 
 class _SystemCommand(click.Command):
-    """A command whose values are quantities: of words too many the reason is likely a space."""
+    """A command whose values are quantities: a word too many likely follows a space in one."""
 
     def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
         """Refuse words that belong to no option."""

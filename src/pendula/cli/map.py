@@ -126,7 +126,7 @@ def _compute(kind: str, entry: SystemEntry, given: dict[str, Any]) -> None:
 
 
 def _asked(entry: SystemEntry, given: dict[str, Any]) -> dict[str, Any]:
-    """What both maps are asked for."""
+    """The arguments that both maps take."""
     return {
         "system": system_of(entry, given),
         **{name: _range(given[name], name) for name in _ANGLES},

@@ -1,4 +1,4 @@
-"""What `pendula map` leaves: a file, a picture, a summary."""
+"""What `pendula map` writes: a file, a picture, a summary."""
 
 from __future__ import annotations
 
@@ -58,7 +58,7 @@ def write(
 
 
 def summary(kind: str, found: xr.Dataset) -> str:
-    """Numbers of all cells, read in bands: a store may hold more than the memory."""
+    """A summary of all cells, read in bands: a store may be larger than memory."""
     numbers = {"flip": _of_flips, "divergence": _of_divergence}[kind](found)
     return f"{' x '.join(str(found.sizes[name]) for name in ('theta1', 'theta2'))} cells; {numbers}"
 

@@ -1,4 +1,4 @@
-"""What commands share that draw a picture beside a file of numbers."""
+"""Shared by the commands that write a picture beside a file of numbers."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ _ENDINGS = (".png", ".svg", ".pdf")
 
 
 def file_and_picture(file: str, picture: str) -> list[click.Parameter]:
-    """The options -o, --picture and --lang; what is written there ends their help."""
+    """The options -o, --picture and --lang; their help ends with what is written."""
     return [
         click.Option(
             ["out", "-o", "--output"], type=click.Path(), metavar="FILE", help=f"write {file}"
@@ -53,14 +53,14 @@ def checked_picture(given: dict[str, Any]) -> Path | None:
             f"--picture must end in one of {', '.join(_ENDINGS)}, got {str(picture)!r}"
         )
     extra("matplotlib", "report")
-    if given.get("resume") and picture.exists():  # --force would begin the store anew
+    if given.get("resume") and picture.exists():  # --force would overwrite the store
         raise FileExistsError(f"{picture} exists; remove it, or name another")
     refuse_existing(picture, overwrite=given["force"])
     return picture
 
 
 def write_picture(figure: Figure, picture: Path, given: dict[str, Any]) -> None:
-    """All of a picture, or nothing."""
+    """Write a complete picture, or nothing."""
     from pendula import plot
     from pendula._writing import replacing
 

@@ -1,4 +1,4 @@
-"""How far long work has come: a bar on a terminal, plain lines otherwise."""
+"""Progress of long work: a bar on a terminal, plain lines otherwise."""
 
 from __future__ import annotations
 
@@ -53,9 +53,9 @@ def late_bar(label: str) -> Iterator[Callable[[float], None] | None]:
 
 @contextmanager
 def work_bar(label: str, total: int, unit: str) -> Iterator[Callable[[float], None]]:
-    """A bar with rate and remaining time for work of many alike, a line for each tenth otherwise.
+    """A bar with rate and remaining time for many equal units, a line for each tenth otherwise.
 
-    The rate is that of this run: what an earlier one had done, as a store's, does not count.
+    The rate is that of this run: chunks that a store already holds do not count.
 
     Args:
         label: what is done: "Sweep".

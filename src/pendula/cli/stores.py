@@ -1,4 +1,4 @@
-"""What commands share that write a store chunk by chunk, here or on a cluster."""
+"""Shared by the commands that write a store chunk by chunk, here or on a cluster."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 
 def store_options() -> list[click.Option]:
-    """Where to compute, and what to do with a store that is there."""
+    """Where to compute, and what to do with an existing store."""
     return [
         click.Option(
             ["--scheduler"],
@@ -34,7 +34,7 @@ def store_options() -> list[click.Option]:
 
 
 def check_store_options(given: dict[str, Any]) -> None:
-    """Refuse to go on with a store and to begin it anew.
+    """Refuse --resume together with --force.
 
     Raises:
         click.UsageError: where both are asked for.
@@ -63,7 +63,7 @@ def cluster(scheduler: str | None) -> Iterator[Any]:
 
 @contextmanager
 def telling_how_to_resume(given: dict[str, Any]) -> Iterator[None]:
-    """Let Ctrl-C say how to go on with what it left."""
+    """Add to Ctrl-C how to resume."""
     out, way = given["out"], "the same command and --resume"
     if given["force"]:
         way = "the same command with --resume, not --force"

@@ -53,7 +53,7 @@ def _compute(given: dict[str, Any]) -> None:
 
 
 def _ends(found: xr.Dataset) -> str:
-    """How many runs ended how."""
+    """How many runs had each outcome."""
     import numpy as np
 
     from pendula.many.sweep.rows import ENDS

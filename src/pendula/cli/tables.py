@@ -1,4 +1,4 @@
-"""Plain tables, and a run as a short one with its curves."""
+"""Plain tables; a run as a short table with its curves."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ _NARROWEST, _WIDEST = 30, 79  # characters of a curve with its margin
 
 
 def table(header: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
-    """Aligned columns, two spaces apart; numbers are set to the right."""
+    """Aligned columns, two spaces apart; numbers are right-aligned."""
     widths = [max(map(len, column)) for column in zip(header, *rows, strict=True)]
     right = [all(_is_number(cell) for cell in column) for column in zip(*rows, strict=True)]
     lines = (
@@ -94,7 +94,7 @@ def _rows_of(run: Trajectory, *, every_row: bool) -> str:
 
 
 def digits_of(columns: int) -> int:
-    """To which numbers are printed: four columns of them fit into 80 characters, too."""
+    """Significant digits of printed numbers: four columns of them fit into 80 characters."""
     return 24 // columns + 1
 
 

@@ -77,7 +77,7 @@ def to_xarray(trajectory: Trajectory) -> xr.Dataset:
 
 
 def _readable(trajectory: Trajectory) -> dict[str, str]:
-    """What a person looks for first."""
+    """The attributes a person reads first."""
     return {
         "system": json.dumps(trajectory.system.description(), ensure_ascii=False),
         "method": trajectory.method,

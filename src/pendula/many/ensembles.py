@@ -49,7 +49,7 @@ class Ensemble(Runs):
 
     @property
     def energy(self) -> Array:
-        """Total energy at the outputs, (n, m), NaN where a run did not come so far [J]."""
+        """Total energy at the outputs, (n, m), NaN after the end of a run that ended early [J]."""
         import numpy as np
 
         systems = (self.systems,) if isinstance(self.systems, System) else self.systems
@@ -94,7 +94,7 @@ def ensemble(
         **options: see `RunOptions`.
 
     `certify` takes some fifty times as long as the runs. With `digits` one trajectory is run after
-    the other; where they cannot be had the states are NaN and the outcome is "digits_limit".
+    the other; where they cannot be computed the states are NaN and the outcome is "digits_limit".
 
     Returns:
         The ensemble, in the order of the states.

@@ -59,7 +59,7 @@ class EnsembleCrossings(NamedTuple):
 
 @dataclass(frozen=True, eq=False, repr=False, kw_only=True)
 class Runs:
-    """How n trajectories went that have outputs at the same m times.
+    """The results of n trajectories with outputs at the same m times.
 
     Attributes:
         states: at those times, (n, m, d) [rad, rad/s]; NaN where a run did not come so far.
@@ -117,7 +117,7 @@ def run_task(
 
 
 def _no_runs(task: Task, dimension: int) -> Runs:
-    """What comes back of no starts."""
+    """The result of no starts."""
     import numpy as np
 
     none, no_counts = np.empty(0), np.empty(0, np.int64)

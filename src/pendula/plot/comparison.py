@@ -52,7 +52,7 @@ _ROOM = 0.6  # a run may leave the first one's range by this part of it before t
 def angles(
     cases: Sequence[Mapping[str, Trajectory]], titles: Sequence[str] = (), *, language: str = "en"
 ) -> Figure:
-    """Angles [°] against time: a panel a case, for the double pendulum a panel an angle.
+    """Angles [°] against time: one panel per case, for the double pendulum one per angle.
 
     Args:
         cases: for each panel the runs by name ("exact", "linear", "reference" or a method's),
@@ -86,7 +86,7 @@ def series(
     *,
     language: str = "en",
 ) -> Figure:
-    """Errors against time on logarithmic axes, a panel a case, side by side.
+    """Errors against time on logarithmic axes, one panel per case, side by side.
 
     Args:
         cases: for each panel times [s], shape (n,), and by the run's name its error, shape (n,).
@@ -152,7 +152,7 @@ def parting(
 
 @styled
 def tip_paths(runs: Mapping[str, Trajectory], *, language: str = "en") -> Figure:
-    """The path of the lower end [m], a panel a run, each over the first one's path.
+    """The path of the lower end [m], one panel per run, each over the first one's path.
 
     Args:
         runs: runs of one double pendulum by name, the one to compare with first.
@@ -184,7 +184,7 @@ def convergence(
     *,
     language: str = "en",
 ) -> Figure:
-    """Error against step, both logarithmic, a panel a system, with the lines fitted.
+    """Error against step, both logarithmic, one panel per system, with the lines fitted.
 
     Args:
         steps: [s], shape (n,).

@@ -33,7 +33,7 @@ class TimeScale:
         return words.axis[name].format(unit=self.symbol)
 
     def end(self, words: Labels) -> str:
-        """How long was looked for a flip; "" if nobody knows."""
+        """Until when flips were looked for; "" if unknown."""
         if self.t_max is None:
             return ""
         return f"{words.local(f'{self.t_max / self.unit:.4g}')} {self.symbol}"

@@ -157,7 +157,7 @@ def _logarithmic(times: Array, limits: Limits) -> tuple[Array, Normalize | None]
 
 
 def _above(values: Array, few: float) -> float:
-    """The value that so small a part of them are below."""
+    """The value that this part of them lies below."""
     return float(np.sort(values)[int(few * values.size)])
 
 

@@ -183,7 +183,7 @@ def logarithmic(ax: Axes, *axes: str) -> None:
 def for_logarithm(values: Array) -> Array:
     """Errors with those left out that a logarithmic axis cannot show, or only them.
 
-    That is zero, and what a method gives that blows up.
+    Those are zero, and the errors of runs that blew up.
     """
     return np.where((values > 0) & (values < _MOST), values, np.nan)
 

@@ -35,7 +35,7 @@ def work_precision(
     against: Sequence[str] = ("evaluations", "seconds"),
     language: str = "en",
 ) -> Figure:
-    """Error against evaluations and against time, a curve a method, all logarithmic.
+    """Error against evaluations and against time, one curve per method, all logarithmic.
 
     Runs that broke down are hollow marks at the upper edge. What the reference cannot resolve is
     shaded; the dotted line is the last bit of a double.

@@ -19,7 +19,7 @@ def exact_states(system: System, state: Array, t: Array, t0: float) -> Array:
     """The closed form at times (n,) from the state at t0: (n, 2), or (..., n, 2) for (..., 2).
 
     Raises:
-        ValueError: where an angle or a time is so large that nothing of the motion is left of it.
+        ValueError: where an angle or a time is so large that no digit of the motion is known.
     """
     import numpy as np
 

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 
 class RunOptions(TypedDict, total=False):
-    """What `solve`, `ensemble` and others take besides, by name; for type checkers."""
+    """The keyword options of `solve`, `ensemble` and others, for type checkers."""
 
     step: float | None
     tolerance: float | None

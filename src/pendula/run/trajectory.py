@@ -145,7 +145,7 @@ class Trajectory:
 
     @cached_property
     def _dense(self) -> _engine.DenseOutput:
-        """What the run left, or, of one read from a file, the same run made again."""
+        """The dense output of the run; of one read from a file, that of the same run made again."""
         if self.dense is not None:
             return self.dense
         again = _engine.solve(self.request.for_core(self.system, self.method), None).dense
@@ -153,7 +153,7 @@ class Trajectory:
         return again
 
     def __getstate__(self) -> dict[str, Any]:
-        """Without what can be made again."""
+        """Without the dense output, which can be made again."""
         kept = {field.name: getattr(self, field.name) for field in fields(self)}
         return {**kept, "dense": None}
 

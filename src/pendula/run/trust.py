@@ -1,4 +1,4 @@
-"""How long a run with doubles is right, and states right at any time, however chaotic."""
+"""Trust: until when a run in doubles is right, and states right to so many digits."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ GROWTH_ALLOWED = 1.1  # of the logarithm of errors, beyond the growth that was s
 
 
 class DigitsError(ArgumentError):
-    """Digits that cannot be had.
+    """Digits that cannot be computed.
 
     Attributes:
         outcome: how a run that asks for them ends: "digits_limit" or "not_finite".
@@ -156,10 +156,10 @@ class _LongRuns:
         return float(GROWTH_ALLOWED * lost * seen[1] / seen[0])
 
     def too_far(self, digits: int, t_max: float) -> DigitsError:
-        """The error that says up to which time the digits can be had."""
+        """The error that says up to which time the digits can be computed."""
         return DigitsError(
             "digits_limit",
-            f"they can be had up to about t = {t_max:g} s",
+            f"they can be computed up to about t = {t_max:g} s",
             "= {digits} at t = {t} s would take more than the {precision} digits of working "
             "precision that there are",
             "end the run at about t = {t_max} s, or ask for fewer digits",
@@ -170,7 +170,7 @@ class _LongRuns:
         )
 
     def plan(self, *levels: int) -> None:
-        """Count on runs with these levels."""
+        """Plan runs at these levels, for the progress."""
         self.planned = self.done + sum(map(self._work, levels))
 
     def report(self, part: float) -> None:

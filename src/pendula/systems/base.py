@@ -133,7 +133,7 @@ class ClosedForm(System):
         return _engine.actions(self._description(), rows).reshape(states.shape[:-1])
 
     def check_start(self, states: Array) -> None:
-        """Refuse states (..., 2) that the closed form has no digits for.
+        """Refuse states (..., 2) for which the closed form has no accurate digit.
 
         Raises:
             ValueError: for an angle of 2^50 rad or more (linear: 2^900), or a speed of 2^900

@@ -67,7 +67,7 @@ def spread(
 ) -> Iterator[tuple[Chunk, Arrays]]:
     """Each chunk with its arrays, in the order in which they are ready.
 
-    So few tasks are under way that the results fit in memory, however many chunks there are. A
+    Only so many tasks are submitted that their results fit in memory. A
     chunk whose worker dies is computed by another; they are cancelled when the caller stops.
 
     Raises:
@@ -79,7 +79,7 @@ def spread(
     under_way: dict[Any, Chunk] = {}
 
     def submit() -> None:
-        """Give the workers what they have room for; some may have come or gone."""
+        """Submit as many tasks as the workers have room for; workers may come and go."""
         room = max(1, _AHEAD * sum(client.nthreads().values()))
         while len(under_way) < room and (chunk := next(waiting, None)) is not None:
             name = f"pendula-{run}-{'-'.join(map(str, chunk.index))}"

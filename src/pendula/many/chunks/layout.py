@@ -1,4 +1,4 @@
-"""What stands in a store: the bytes of every file, Zarr v3 as zarr-python writes it."""
+"""The contents of a store: the bytes of every file, Zarr v3 as zarr-python writes it."""
 
 from __future__ import annotations
 
@@ -18,10 +18,10 @@ CHECKSUM = 4  # bytes of crc32c at the end of each chunk
 
 
 class Layout:
-    """The files of a work, by key.
+    """The files of a store, by key.
 
     Chunks are plain bytes with a checksum. Compressed ones would depend on a library's version,
-    and their size would not show that one is cut short.
+    and their size would not show that one is truncated.
 
     Attributes:
         work: what is laid out.
@@ -64,7 +64,7 @@ class Layout:
         return tuple(steps[dim] for dim in variable.dims)
 
     def size(self, variable: Variable) -> int:
-        """Bytes of each chunk of a variable; one at the edge is filled up."""
+        """Bytes of each chunk of a variable; one at the edge is padded."""
         import numpy as np
 
         return math.prod(self._chunk_shape(variable)) * np.dtype(variable.dtype).itemsize

@@ -31,7 +31,7 @@ _NO_LOCKS = (errno.EBADF, errno.ENOLCK, errno.ENOSYS, errno.EOPNOTSUPP)  # of so
 class Place(Protocol):
     """Files by key: "zarr.json", "flip_time/c.0.3"."""
 
-    checked: bool  # whether `read` is cheap enough to check every chunk's sum
+    checked: bool  # whether `read` is cheap enough to check every checksum
 
     def occupied(self) -> Iterator[str]:
         """Names of files and folders at the top."""
@@ -43,13 +43,13 @@ class Place(Protocol):
         """A file; None where there is none."""
 
     def write(self, key: str, data: bytes) -> None:
-        """All of a file, or nothing; it lasts once this returns."""
+        """Write a file completely or not at all; durable once this returns."""
 
     def clear(self, kept: str) -> None:
         """Remove all but one file."""
 
     def locked(self) -> Any:
-        """A context in which nobody else writes here."""
+        """A context that excludes other writers."""
 
 
 def place_at(store: str | os.PathLike[str]) -> Place:
@@ -232,7 +232,7 @@ def _lock(handle: int, path: Path) -> None:
 
 
 def _unlock(handle: int) -> None:
-    """Closing alone would not do while a process that was just forked holds the folder too."""
+    """Closing alone is not enough: a process that was just forked holds the folder too."""
     with suppress(OSError):
         fcntl.flock(handle, fcntl.LOCK_UN)
 

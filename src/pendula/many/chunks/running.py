@@ -1,4 +1,4 @@
-"""Runs a work: here or on a cluster, into memory or into a store."""
+"""Runs chunked work: here or on a cluster, into memory or into a store."""
 
 from __future__ import annotations
 
@@ -31,13 +31,13 @@ def run(
     resume: bool = True,
     overwrite: bool = False,
 ) -> xr.Dataset:
-    """Compute all chunks; the result does not depend on where, in which order, or how often begun.
+    """Compute all chunks; the result depends on neither place, order nor interruptions.
 
     Args:
         work: what is computed.
         store: a path, or a URL such as s3://bucket/flips.zarr: a Zarr store, written chunk by
-            chunk. A run that was stopped, or killed, goes on with the same call: what is complete
-            stays. None: the result is made in memory.
+            chunk. The same call resumes a run that was stopped or killed. None: the
+            result is made in memory.
         client: a Client of dask.distributed, whose workers compute (extra: cluster).
         progress: called with the part of the work that is done, 0 to 1.
         threads: for each chunk. None: all cores here, one on a worker.
@@ -104,7 +104,7 @@ def computed(
         report.done += math.prod(chunk.shape)
         other = work.mirror(chunk.index)
         if other != chunk.index and other in wanted:
-            yield work.chunk(other), work.turned(checked)
+            yield work.chunk(other), work.reflected(checked)
             report.done += math.prod(chunk.shape)
         report.share()
 
@@ -124,7 +124,7 @@ class _Report:
             self._progress((self.done + cells) / self._all)
 
     def within(self, chunk: Chunk) -> Progress:
-        """What a chunk's computation may call."""
+        """The progress callback of one chunk."""
         if self._progress is None:
             return None
         pair = {chunk.index, self._work.mirror(chunk.index)}
@@ -143,7 +143,7 @@ def _each(
 
 
 def _second(work: Work, index: Index, wanted: Mapping[Index, None]) -> bool:
-    """Whether a chunk comes with the one across the middle."""
+    """Whether a chunk is made as the mirror image of another."""
     other = work.mirror(index)
     return other < index and other in wanted
 

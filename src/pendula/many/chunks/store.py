@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 
 class Store:
-    """What a work's chunks are put into; for one process at a time."""
+    """A store of the chunks of some work; for one process at a time."""
 
     def __init__(self, place: Place, work: Work) -> None:
         self._place, self._work = place, work
@@ -46,15 +46,15 @@ class Store:
                 place.write(ROOT, layout.unfinished)
         place.sizes("")  # for the leftovers at the top
         missing = self._missing()
-        spoilt = {key: data for key, data in layout.rest.items() if place.read(key) != data}
-        if missing or spoilt:
+        damaged = {key: data for key, data in layout.rest.items() if place.read(key) != data}
+        if missing or damaged:
             self._write_root(layout.unfinished)
-        for key, data in spoilt.items():
+        for key, data in damaged.items():
             place.write(key, data)
         return missing
 
     def put(self, chunk: Chunk, arrays: Arrays) -> None:
-        """Write a chunk; it lasts once this returns."""
+        """Write a chunk; durable once this returns."""
         for key, data in self._layout.files(chunk, arrays).items():
             self._place.write(key, data)
 
@@ -65,7 +65,7 @@ class Store:
         return f"{there} of {len(list(self._work.indices()))} chunks are in {self._place}"
 
     def finish(self) -> None:
-        """Say that all chunks are there."""
+        """Mark the store as complete."""
         self._write_root(self._layout.root)
 
     def _write_root(self, data: bytes) -> None:
@@ -73,7 +73,7 @@ class Store:
             self._place.write(ROOT, data)
 
     def _missing(self) -> list[Index]:
-        """The chunks that lack a variable, or hold one that is cut short or spoilt."""
+        """The chunks that lack a variable, or hold one that is truncated or damaged."""
         place, layout, work = self._place, self._layout, self._work
         missing: set[Index] = set()
         for variable in work.variables:

@@ -1,4 +1,4 @@
-"""A computation that can be cut: what it is, how its result is laid out, and one chunk of it."""
+"""Chunked work: what it computes, how its result is laid out, and one chunk of it."""
 
 from __future__ import annotations
 
@@ -178,7 +178,7 @@ class Work:
         return Chunk(index, spans)
 
     def mirror(self, index: Index) -> Index:
-        """The place across the middle; the place itself where the work is not mirrored."""
+        """The index of the mirror image; the same index where the work is not mirrored."""
         if not self.mirrored:
             return index
         return tuple(axis.count - 1 - i for axis, i in zip(self.cut, index, strict=True))
@@ -204,8 +204,8 @@ class Work:
             raise ValueError(f"chunk {chunk.index} must be {expected}, got {found}")
         return {each.name: arrays[each.name] for each in self.variables}
 
-    def turned(self, arrays: Arrays) -> dict[str, NDArray[Any]]:
-        """A chunk's arrays as those of the chunk across the middle."""
+    def reflected(self, arrays: Arrays) -> dict[str, NDArray[Any]]:
+        """A chunk's arrays as those of its mirror image."""
         cut = {axis.name for axis in self.cut}
         ways = {
             each.name: tuple(slice(None, None, -1 if dim in cut else 1) for dim in each.dims)

@@ -44,7 +44,7 @@ class Cells:
 
     @property
     def symmetric(self) -> bool:
-        """Whether each cell's mirror image, both angles turned about, is a cell, too."""
+        """Whether each cell's mirror image, both angles negated, is a cell, too."""
         return all(lo == -hi for lo, hi in self.ranges)
 
     def centres(self, axis: int, start: int, stop: int) -> Array:
@@ -79,8 +79,7 @@ class Cells:
     def starts(self, chunk: Chunk) -> Array:
         """States (n, 4) of the cells of a chunk, row by row, and only those that are not mirrored.
 
-        Of a cell and its mirror image it is the same one that is run, in any map: both have the
-        numbers of the one.
+        Of a cell and its mirror image one is run, the same one in any map; both have its numbers.
         """
         import numpy as np
 

@@ -113,7 +113,7 @@ class FlipMap(Map):
 
     @property
     def variables(self) -> tuple[Variable, ...]:
-        """Flip times, rods, and how sure they are."""
+        """Flip times, rods, and whether they were verified."""
         rods = "either rod" if self.which is None else f"rod {self.which}"
         variables = [
             Variable(

@@ -37,7 +37,7 @@ class Fixed:
 
 @dataclass(frozen=True)
 class Uniform:
-    """Random, all values from `low` to `high` alike: low + (high − low) u, with u in [0, 1)."""
+    """Uniformly distributed from `low` to `high`: low + (high − low) u, with u in [0, 1)."""
 
     low: float
     high: float
@@ -58,7 +58,7 @@ class Uniform:
 
 @dataclass(frozen=True)
 class LogUniform:
-    """Random, all ratios alike: low (high / low)^u, with u in [0, 1); `low` is positive."""
+    """Uniformly distributed in the logarithm: low (high / low)^u, with u in [0, 1)."""
 
     low: float
     high: float
@@ -85,7 +85,7 @@ class LogUniform:
 
 @dataclass(frozen=True)
 class Choice:
-    """Random, one of some values, all alike."""
+    """One of some values, each equally likely."""
 
     values: tuple[float, ...]
 

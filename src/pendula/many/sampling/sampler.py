@@ -70,7 +70,7 @@ class Sampler:
 
     @property
     def random(self) -> bool:
-        """Whether anything is."""
+        """Whether any column is random."""
         return any(isinstance(each, Uniform | LogUniform | Choice) for _, each in self.columns)
 
     @property

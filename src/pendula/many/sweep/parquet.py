@@ -1,4 +1,4 @@
-"""A sweep as a Parquet file: one row a trajectory, lists over time, a row group a chunk."""
+"""A sweep as a Parquet file: one row per trajectory, lists over time, a row group per chunk."""
 
 from __future__ import annotations
 
@@ -71,7 +71,7 @@ class _Table:
 
     @property
     def repeating(self) -> list[str]:
-        """Columns whose values come again and again."""
+        """Columns with repeating values."""
         once = [_column(each) for each in self._work.variables if TIME not in each.dims]
         return ["t [s].list.element", *once]
 
@@ -92,7 +92,7 @@ class _Table:
         return arrow.Table.from_arrays(columns, schema=self.schema)
 
     def _lists(self, values: Any) -> Any:
-        """A list a row."""
+        """One list per row."""
         import numpy as np
 
         ends = np.arange(len(values) + 1, dtype=np.int32) * values.shape[1]
@@ -105,7 +105,7 @@ def _column(variable: Variable) -> str:
 
 
 def _in_order(made: Iterable[tuple[Chunk, Arrays]]) -> Iterator[tuple[Chunk, Arrays]]:
-    """Chunks by their numbers; one that a cluster has ready too early waits."""
+    """Chunks in order; those that a cluster finishes early are held back."""
     waiting: dict[int, tuple[Chunk, Arrays]] = {}
     due = 0
     for chunk, arrays in made:
