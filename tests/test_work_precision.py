@@ -14,6 +14,7 @@ from matplotlib.colors import to_hex
 
 from catalogue import METHODS, taking
 from pendula import DoublePendulum, LinearPendulum, SimplePendulum, exact, plot, solve
+from pendula._engine import series_order
 from pendula.analysis import (
     MethodWork,
     WorkPrecision,
@@ -21,7 +22,6 @@ from pendula.analysis import (
     time_scale,
     work_precision,
 )
-from pendula._engine import series_order
 from pendula.io.rows import write_rows
 from pendula.plot.style import MARKERS, line
 

@@ -7,6 +7,7 @@ void bind_runs(nanobind::module_& m);
 void bind_closed_forms(nanobind::module_& m);
 
 NB_MODULE(_core, m) {
+  nanobind::set_leak_warnings(false);  // a run that is still alive at the end of a program is no leak
   m.doc() = "The compiled core of pendula. Use the package; this module has no checks.";
   bind_catalog(m);
   bind_request(m);

@@ -112,7 +112,7 @@ def time_scale(system: System, state: ArrayLike) -> float:
     """The period of the motion's fastest part: of its fastest small swing, or of a turn [s]."""
     start = checked_state(state, system)
     speeds = start[system.can.degrees_of_freedom :]
-    return math.tau / max(system.largest_frequency, float(np.abs(speeds).max()))
+    return math.tau / max(system.fastest_frequency, float(np.abs(speeds).max()))
 
 
 def _chosen(system: System, names: Iterable[str] | None) -> list[_engine.Method]:

@@ -61,8 +61,13 @@ class System:
 
     @property
     def largest_frequency(self) -> float:
-        """Of small oscillations, the fastest, or a bound of it [rad/s]."""
+        """A bound of the frequencies of small oscillations, hardly above the largest [rad/s]."""
         return _engine.scales(self._description())[1]
+
+    @property
+    def fastest_frequency(self) -> float:
+        """Of the fastest small oscillation [rad/s]."""
+        return self.largest_frequency
 
     def rhs(self, states: ArrayLike, t: float = 0.0) -> Array:
         """Time derivatives (..., d) of states (..., d) at time t [rad/s, rad/s²]."""

@@ -132,6 +132,11 @@ class DoublePendulum(System):
         """Of small oscillations: that of the fast mode [rad/s]."""
         return self.normal_modes().frequencies[1]
 
+    @property
+    def fastest_frequency(self) -> float:
+        """Of the fast mode of small oscillations [rad/s]."""
+        return self.normal_modes().frequencies[1]
+
     def normal_modes(self) -> NormalModes:
         """Frequencies and shapes of small oscillations.
 
