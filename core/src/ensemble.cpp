@@ -129,8 +129,10 @@ bool find_horizons(const request& asked, const ensemble_rows& rows, pool& worker
 
 }  // namespace
 
-ensemble_result run_ensemble(const request& asked, const ensemble_rows& rows, pool& workers, const watcher& watch) {
+ensemble_result run_ensemble(const request& of_all, const ensemble_rows& rows, pool& workers, const watcher& watch) {
   ensemble_result result;
+  request asked = of_all;
+  asked.own_steps = false;  // there is room for outputs at the same times alone
   result.refused = check(asked);
   if (result.refused) return result;
   const std::size_t n = rows.count, outputs = asked.times.size();

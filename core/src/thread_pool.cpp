@@ -35,6 +35,12 @@ class work_of_threads final : public shared_work {
   std::atomic<bool> stopped_{false};
 };
 
+// Whatever ends the caller's wait, an exception of its watcher too, ends the work.
+struct stopped_at_exit {
+  work_of_threads& shared;
+  ~stopped_at_exit() { shared.stop(); }
+};
+
 class thread_pool final : public pool {
  public:
   explicit thread_pool(std::size_t count) : count_(count) {}
@@ -61,6 +67,7 @@ class thread_pool final : public pool {
       if (--working == 0) ended.notify_one();
     };
     std::vector<std::jthread> all;
+    const stopped_at_exit before_they_are_joined{shared};
     for (std::size_t i = 0; i < count_; ++i) all.emplace_back(guarded, i);
     bool complete = true;
     std::unique_lock lock(mutex);

@@ -58,17 +58,26 @@ concept Energetic = SecondOrder<Sys> && requires(const Sys& system, const typena
   { system.largest_frequency_squared() } -> std::same_as<typename Sys::scalar>;
 };
 
-// The same motion in canonical variables (angles…, momenta…). `configuration_at` works out once what the velocities
-// and the generalised forces need of the angles.
+// The canonical equations over numbers T: `configuration_at` works out once what the velocities and the generalised
+// forces need of the angles.
+template <class Sys, class T>
+concept CanonicalOver = requires(const Sys& system, const T& t, const vec<T, Sys::dimension / 2>& half) {
+  { system.velocities(system.configuration_at(half), half) } -> std::same_as<std::remove_cvref_t<decltype(half)>>;
+  { system.forces(t, system.configuration_at(half), half) } -> std::same_as<std::remove_cvref_t<decltype(half)>>;
+};
+
+template <class T, int W>
+struct pack;  // lanes: scalar/pack.hpp
+
+// The same motion in canonical variables (angles…, momenta…). Of one trajectory of doubles the stages of an implicit
+// step lie side by side, in lanes: its equations are asked for over these, too.
 template <class Sys>
-concept Mechanical =
-    SecondOrder<Sys> && requires(const Sys& system, const typename Sys::state& y, const typename Sys::scalar& t,
-                                 const vec<typename Sys::scalar, Sys::dimension / 2>& half) {
-      { system.canonical(y) } -> std::same_as<typename Sys::state>;
-      { system.from_canonical(y) } -> std::same_as<typename Sys::state>;
-      { system.velocities(system.configuration_at(half), half) } -> std::same_as<std::remove_cvref_t<decltype(half)>>;
-      { system.forces(t, system.configuration_at(half), half) } -> std::same_as<std::remove_cvref_t<decltype(half)>>;
-    };
+concept Mechanical = SecondOrder<Sys> && CanonicalOver<Sys, typename Sys::scalar> &&
+                     (!std::same_as<typename Sys::scalar, double> || CanonicalOver<Sys, pack<double, 2>>) &&
+                     requires(const Sys& system, const typename Sys::state& y) {
+                       { system.canonical(y) } -> std::same_as<typename Sys::state>;
+                       { system.from_canonical(y) } -> std::same_as<typename Sys::state>;
+                     };
 
 // H = T(p) + V(t, θ), with momenta in units in which they are the velocities.
 template <class Sys>

@@ -19,8 +19,8 @@ struct ensemble_rows {
   const double* parameters_of(std::size_t n) const { return parameters.data() + n * parameters_apart; }
 };
 
-// The runs of all rows, with what the request says besides its own state and parameters. What goes wrong with one
-// stands in its outcome and leaves the others alone; nothing depends on the number of workers.
+// The runs of all rows, with what the request says besides its own state and parameters, and outputs at its times. What
+// goes wrong with one stands in its outcome and leaves the others alone; nothing depends on the number of workers.
 ensemble_result run_ensemble(const request&, const ensemble_rows&, pool&, const watcher&);
 
 }  // namespace pendula
