@@ -130,7 +130,7 @@ maybe check_whole(std::string_view name, std::optional<std::int64_t> value) {
 maybe check_digits_alone(const request& asked) {
   if (!asked.options.digits) return {};
   std::string other;
-  if (asked.method != "taylor")
+  if (method_named(asked.method)->needs != facet::analytic)
     other = "method=" + asked.method;
   else if (asked.options.step)
     other = "step";

@@ -26,6 +26,7 @@ _GIVEN = {
     "resume=True": "--resume",
     "resolve=False": "--no-resolve",
     "state=(theta0, omega0)": "--theta and --omega",
+    "t=numpy.linspace(t0, t_end, 1001)": "--every",
 }
 _CALLS = {
     "the same call again": "the same command again with --resume",

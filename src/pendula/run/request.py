@@ -128,8 +128,13 @@ def times_array(t: ArrayLike) -> Array:
     return times
 
 
-def refuse(fault: _engine.Fault | None, **names: str) -> None:
-    """Raise what the core found wrong; `names` are other names of arguments here.
+def refuse(fault: _engine.Fault | None, *, digits: bool = True, **names: str) -> None:
+    """Raise what the core found wrong.
+
+    Args:
+        fault: None: nothing.
+        digits: whether there is an option of that name that a way out can offer.
+        **names: other names of arguments here.
 
     Raises:
         ArgumentError: where it found anything.
@@ -139,4 +144,5 @@ def refuse(fault: _engine.Fault | None, **names: str) -> None:
     row = _engine.rule_rows()[fault.rule]
     details = {"value": fault.value, **fault.details}
     argument = names.get(fault.argument, fault.argument)
-    raise ArgumentError(argument, row.english, row.way_out_in_english, **details)
+    way_out = row.way_out_in_english if digits or "<digits" not in row.way_out_in_english else ""
+    raise ArgumentError(argument, row.english, way_out, **details)

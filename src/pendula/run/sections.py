@@ -69,7 +69,7 @@ def poincare_section(
     if asked.max_steps is None:
         asked = replace(asked, max_steps=_MOST_STEPS)
     result = _engine.solve(asked.for_core(system, "taylor"), None)
-    refuse(result.refused)
+    refuse(result.refused, digits=False)
     (found,) = crossings_of(result.events, asked.state.size)
     if len(found.times) < count:
         raise ArgumentError(

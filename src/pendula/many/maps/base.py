@@ -114,5 +114,5 @@ def checked_tolerance(system: System, t_max: float, tolerance: object) -> float:
     value = BEST_TOLERANCE if tolerance is None else number("tolerance", tolerance)
     rest = np.zeros(len(system.components))
     asked = Request(state=rest, t=np.array([t_max]), tolerance=value)
-    refuse(_engine.check_options(asked.for_core(system, "taylor")), t="t_max")
+    refuse(_engine.check_options(asked.for_core(system, "taylor")), digits=False, t="t_max")
     return value

@@ -135,7 +135,7 @@ class _Run:
                 asked = Request(
                     state=np.zeros(len(system.components)), t=np.array([t_max]), **options
                 )
-                refuse(_engine.check(asked.for_core(system, method)), t="t_max")
+                refuse(_engine.check(asked.for_core(system, method)), digits=False, t="t_max")
         if _engine.method_named(method).adaptive and options.get("tolerance") is None:
             options["tolerance"] = BEST_TOLERANCE
         return {"method": method, "t_max": t_max, "every": every, **options}
