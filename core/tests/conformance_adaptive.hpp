@@ -86,10 +86,10 @@ template <class List>
 void events_inside_steps_are_those_that_outputs_show() {
   for_each_system<List>([]<class Entry, class Sys>(const Sys& system, const auto& start) {
     for (const double span : {1.5, -1.5}) {
-      const double time = t0 + 0.12345 * span;
+      const double time = t0 + 0.23456 * span;
       const auto then = after<rk4>(system, start, t0, time - t0, 1 << 14);
       const std::vector<event> asked{{event_kind::angle, 0, then[0]},
-                                     {event_kind::velocity_zero, degrees_of_freedom<Sys> - 1},
+                                     {event_kind::velocity_zero},
                                      {event_kind::tip_height, 0, system.positions(then).back()[1]}};
       for_each_method<adaptive_methods, Sys>([&]<class Method>() {
         const auto found = told<Method>(system, start, times_over(span, 2000), asked);
@@ -103,7 +103,7 @@ void events_inside_steps_are_those_that_outputs_show() {
           const auto place = static_cast<std::size_t>(each.place);
           BOOST_TEST(std::fabs(quantity(system, asked[place], each.y)) < 4e-14);
           ++events[place];
-          there[place] += std::fabs(each.time - time) < 1e-13;
+          there[place] += std::fabs(each.time - time) < 3e-14;
         }
         BOOST_TEST(shown == events, boost::test_tools::per_element());
         BOOST_TEST((there[0] == 1 && there[2] == 1));
