@@ -50,6 +50,7 @@ maybe check_times(const request& asked) {
   if (!std::isfinite(asked.t0)) return fault{"t0", "finite", asked.t0, {{"unit", "s"}}};
   const std::vector<double>& t = asked.times;
   if (t.empty()) return fault{"t", "monotonic", "[]", {{"t0", asked.t0}}};
+  if (asked.own_steps && t.size() > 1) return fault{"t", "one_end", static_cast<std::int64_t>(t.size()), {}};
   if (asked.own_steps && t[0] == asked.t0) return fault{"t", "differs_from_start", t[0], {{"t0", asked.t0}}};
   const double direction = t.back() == asked.t0 ? 0.0 : asked.direction();
   bool monotonic = (t[0] - asked.t0) * direction >= 0.0;
@@ -165,6 +166,15 @@ maybe check_together(const request& asked, const method_row& method) {
   return {};
 }
 
+// A trust horizon and guaranteed digits come of the Taylor method with more digits, whatever the method of the run.
+maybe check_series(const request& asked) {
+  const bool certified = asked.options.certify.has_value();
+  if (!certified && !asked.options.digits) return {};
+  for (const method_row& method : method_rows())
+    if (method.needs == facet::analytic && takes_system(method, asked.system.name)) return {};
+  return fault{certified ? "certify" : "digits", "needs_series", {}, {{"system", asked.system.name}}};
+}
+
 maybe check_events(const request& asked) {
   const std::size_t rods = system_named(asked.system.name)->degrees_of_freedom;
   names choices;
@@ -232,7 +242,14 @@ maybe check_options(const request& asked) {
   if (auto found = check_whole("max_steps", asked.options.max_steps)) return found;
   if (auto found = check_tolerance(asked)) return found;
   if (auto found = check_events(asked)) return found;
+  if (auto found = check_series(asked)) return found;
   return check_certify(asked);
+}
+
+maybe check_of_doubles(const request& asked) {
+  if (auto found = check(asked)) return found;
+  if (!asked.options.digits) return {};
+  return fault{"digits", "not_of_doubles", *asked.options.digits, {}};
 }
 
 maybe check(const request& asked) {

@@ -133,7 +133,7 @@ ensemble_result run_ensemble(const request& of_all, const ensemble_rows& rows, p
   ensemble_result result;
   request asked = of_all;
   asked.own_steps = false;  // there is room for outputs at the same times alone
-  result.refused = check(asked);
+  result.refused = check_of_doubles(asked);
   if (result.refused) return result;
   const std::size_t n = rows.count, outputs = asked.times.size();
   result.ended.resize(n);

@@ -90,6 +90,13 @@ std::span<const rule_row> rule_rows() {
        "take {choices}",
        "no se admiten con el método de paso fijo {method}, que no conoce el movimiento dentro de sus pasos",
        "elija {choices}"},
+      {"needs_series", "needs a Taylor series of the motion, which the {system} pendulum does not have", "leave it out",
+       "necesita una serie de Taylor del movimiento, y el péndulo {system} no la tiene", "quítelo"},
+      {"one_end", "must be the one end of the method's own steps, got {value} times", "give one time, or no own steps",
+       "debe ser el único final de los pasos propios del método, se dieron {value} tiempos",
+       "dé un solo tiempo, o no pida los pasos propios"},
+      {"not_of_doubles", "is not taken by a run of doubles, got {value}", "take the runs of many digits",
+       "no se admite en un cálculo con doubles, se dio {value}", "use los cálculos con muchas cifras"},
       {"rod", "must be {choices} for the {system} pendulum, got {value}", "",
        "debe ser {choices} para el péndulo {system}, se dio {value}", ""},
   };

@@ -72,7 +72,7 @@ void reserve(const request& asked, run_result& result) {
 
 run_result solve(const request& asked, const watcher& watch) {
   run_result result;
-  result.refused = check(asked);
+  result.refused = check_of_doubles(asked);
   if (result.refused) return result;
   const bool certified = asked.options.certify.has_value();
   result.events.resize(asked.events.size());

@@ -64,6 +64,10 @@ std::vector<broken> broken_starts_and_times() {
          r.own_steps = true;
          r.times = {r.t0};
        })},
+      {"one_end", "t", of([](auto& r) {
+         r.own_steps = true;
+         r.times = {0.5, 1.0};
+       })},
       {"rounding_of_times", "t", of([](auto& r) { r.times = {1e13}; })},
       {"rounding_of_late_times", "t", of([](auto& r) {
          r.t0 = 1e13;
@@ -134,7 +138,8 @@ std::vector<broken> all_broken() {
 
 // Rules that no request to a system of the catalogue breaks: all of these have those facets, and what is not a number
 // at all is found where a request is made, in the bindings.
-const std::set<std::string_view> of_others{"number", "needs_energetic", "needs_mechanical", "needs_analytic"};
+const std::set<std::string_view> of_others{"number",         "needs_energetic", "needs_mechanical",
+                                           "needs_analytic", "needs_series",    "not_of_doubles"};
 
 std::set<std::string> placeholders(std::string_view sentence) {
   std::set<std::string> found;

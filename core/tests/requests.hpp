@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstring>
 
-#include "pendula/kernels/catalogue.hpp"
+#include "pendula/kernels/catalog_rows.hpp"
 #include "pendula/kernels/result.hpp"
 
 namespace requests {
