@@ -6,7 +6,7 @@ import math
 from typing import TYPE_CHECKING, Any, ClassVar, cast
 
 from pendula import _engine
-from pendula._checks import states_array
+from pendula._checks import number, states_array
 from pendula._messages import ArgumentError
 
 if TYPE_CHECKING:
@@ -19,7 +19,7 @@ STANDARD_GRAVITY = 9.80665  # m/s², 3rd CGPM (1901)
 
 
 class System:
-    """What all pendulums have in common."""
+    """What all pendulums have in common. Those of one form are data classes of their parameters."""
 
     name: ClassVar[str]
     form: str
@@ -28,6 +28,12 @@ class System:
     def __init_subclass__(cls) -> None:
         if "name" in vars(cls):
             System.classes[cls.name] = cls
+
+    def __post_init__(self) -> None:
+        for row in self._rows():
+            value = number(row.name, getattr(self, row.name), row.unit)
+            object.__setattr__(self, row.name, value)
+        self._check()
 
     @classmethod
     def of_form(cls, form: str, parameters: dict[str, float]) -> System:

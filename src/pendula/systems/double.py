@@ -128,11 +128,6 @@ class DoublePendulum(System):
         return f"DoublePendulum.{self.form}({arguments})"
 
     @property
-    def largest_frequency(self) -> float:
-        """Of small oscillations: that of the fast mode [rad/s]."""
-        return self.normal_modes().frequencies[1]
-
-    @property
     def fastest_frequency(self) -> float:
         """Of the fast mode of small oscillations [rad/s]."""
         return self.normal_modes().frequencies[1]

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, ClassVar
 
 from pendula import _engine
-from pendula._checks import finite_array, number, states_array
+from pendula._checks import finite_array, states_array
 from pendula._messages import ArgumentError
 from pendula.systems.base import STANDARD_GRAVITY, ClosedForm
 
@@ -24,12 +24,6 @@ class _OneBob(ClosedForm):
     length: float = 1.0
     gravity: float = STANDARD_GRAVITY
     mass: float = 1.0
-
-    def __post_init__(self) -> None:
-        for row in self._rows():
-            value = number(row.name, getattr(self, row.name), row.unit)
-            object.__setattr__(self, row.name, value)
-        self._check()
 
     @property
     def natural_frequency(self) -> float:
