@@ -1,6 +1,7 @@
 """Action and period, against quadrature and the complete integrals with many digits."""
 
 import math
+from typing import Any
 
 import numpy as np
 import pytest
@@ -134,3 +135,70 @@ def test_the_period_at_the_ends() -> None:
 def test_what_has_no_period_is_refused(given_: dict[str, object], message: str) -> None:
     with pytest.raises(ValueError, match=message):
         UNIT.period(**given_)  # type: ignore[arg-type]
+
+
+# ---- periods ----
+
+# T/T0 = (2/π) K(sin(θ0/2)) with 20 digits, by mpmath.
+PERIODS = {
+    1: 1.00001903892100551,
+    10: 1.00190718814321661,
+    30: 1.01740879759595601,
+    60: 1.07318200714936438,
+    90: 1.18034059901609623,
+    120: 1.37288050061835016,
+    150: 1.76220372950375603,
+    170: 2.43936271967388406,
+    179: 3.90106516038908573,
+    179.99: 6.832737338014762,
+}
+
+
+@pytest.mark.parametrize(("degrees", "ratio"), PERIODS.items())
+def test_period_to_four_ulp(degrees: float, ratio: float) -> None:
+    system = SimplePendulum(length=1.0, gravity=1.0)  # ωn = 1: T = τ · ratio
+    got = system.period(math.radians(degrees)) / (2.0 * math.pi)
+    # the amplitude in radians is rounded: its half unit counts through dT/dθ0
+    step = math.ulp(math.radians(degrees))
+    slope = (
+        system.period(math.radians(degrees) + 1e-6) - system.period(math.radians(degrees) - 1e-6)
+    ) / 2e-6
+    slack = 0.5 * step * slope / (2.0 * math.pi)
+    assert abs(got - ratio) <= 4 * math.ulp(ratio) + slack
+
+
+def test_period_of_amplitudes_and_states() -> None:
+    system = SimplePendulum(0.7, 9.81)
+    wn = system.natural_frequency
+    assert system.period(0.0) == pytest.approx(2 * math.pi / wn, rel=1e-15)
+    assert system.period([0.1, -0.1]).tolist() == [system.period(0.1)] * 2
+    assert system.period(state=(0.3, 0.0)) == pytest.approx(system.period(0.3), rel=1e-15)
+    # the same libration seen at its lowest point: ω0 = 2 ωn sin(θ0/2)
+    assert system.period(state=(0.0, 2 * wn * math.sin(0.75))) == pytest.approx(
+        system.period(1.5), rel=1e-14
+    )
+    assert system.period(state=(0.0, 2 * wn)) == math.inf or system.period(state=(0.0, 2 * wn)) > 10
+    # fast rotation: a turn takes τ/ω0
+    assert system.period(state=(0.0, 1e6)) == pytest.approx(2 * math.pi / 1e6, rel=1e-9)
+    assert 0 < system.period(math.pi) < 100  # numpy.pi is not π
+    assert LinearPendulum(0.7, 9.81).period([0.1, 3.0]).tolist() == [2 * math.pi / wn] * 2
+
+
+def test_period_of_a_rotation_is_the_time_of_a_turn() -> None:
+    from scipy.integrate import quad
+
+    system, start = SimplePendulum(1.0, 9.81), (0.4, 8.0)
+    energy = start[1] ** 2 / 2 - 9.81 * math.cos(start[0])
+    turn, _ = quad(lambda x: 1 / math.sqrt(2 * (energy + 9.81 * math.cos(x))), 0, 2 * math.pi)
+    assert system.period(state=start) == pytest.approx(turn, rel=1e-9)
+
+
+@pytest.mark.parametrize("arguments", [{}, {"amplitude": 1.0, "state": (1.0, 0.0)}])
+def test_period_takes_one_of_two(arguments: dict[str, Any]) -> None:
+    with pytest.raises(ValueError, match="one of the two"):
+        SimplePendulum().period(**arguments)
+
+
+def test_period_of_more_than_a_half_turn_is_refused() -> None:
+    with pytest.raises(ValueError, match=r"amplitude must lie within .*got 3\.2; .*state="):
+        SimplePendulum().period(3.2)
