@@ -80,9 +80,9 @@ BOOST_AUTO_TEST_CASE(a_looser_tolerance_gives_a_larger_error_and_takes_fewer_ter
     BOOST_TEST(error > before);
     before = error;
   }
-  BOOST_TEST(taylor_stepper<double_pendulum::over<double>>::order_for(-52.0) == 20);
-  BOOST_TEST(taylor_stepper<double_pendulum::over<double>>::order_for(-104.0) == 38);
-  BOOST_TEST(taylor_stepper<double_pendulum::over<double>>::order_for(-10.0) == 6);
+  BOOST_TEST(taylor_order(-52.0) == 20);
+  BOOST_TEST(taylor_order(-104.0) == 38);
+  BOOST_TEST(taylor_order(-10.0) == 6);
 }
 
 BOOST_AUTO_TEST_CASE(a_motion_goes_back_where_it_came_from) {
