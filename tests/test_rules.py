@@ -82,7 +82,7 @@ BROKEN: dict[str, tuple[str, _engine.Request]] = {
 # Of methods that need what every system has there is none; what is no number gets to no core.
 NEEDS = {f"needs_{each.needs}" for each in METHODS if each.needs != "flow"}  # which all have
 # All have a series, and `digits` go by another way.
-LEFT = {"number", "needs_series", "not_of_doubles", *NEEDS}
+LEFT = {"number", "needs_series", "not_of_doubles", "rows", *NEEDS}
 NOT_TO_BREAK = LEFT - {f"needs_{method.needs}" for method, _ in REFUSED}
 every_rule = pytest.mark.parametrize("rule", BROKEN)
 

@@ -6,6 +6,7 @@
 
 #include "arrays.hpp"
 #include "interrupts.hpp"
+#include "pendula/kernels/check.hpp"
 #include "pendula/kernels/ensemble.hpp"
 #include "pendula/kernels/horizon.hpp"
 #include "pendula/kernels/long_runs.hpp"
@@ -37,7 +38,7 @@ run_result solve(const request& asked, nb::object progress) {
 
 run_result long_run(const request& asked, std::size_t level, nb::object progress) {
   const auto levels = pendula::long_runs();
-  if (level >= levels.size()) throw nb::value_error("no such level");
+  if (level >= levels.size() || pendula::check(asked)) throw nb::value_error("no such level, or not a sound request");
   const auto watch = watching(std::move(progress));
   return complete(released([&] { return levels[level].run(asked, watch); }));
 }
@@ -49,6 +50,7 @@ std::vector<int> long_run_digits() {
 }
 
 double trust_horizon(const request& asked, nb::object progress) {
+  if (!asked.options.certify || pendula::check(asked)) throw nb::value_error("not a sound request that is certified");
   const auto watch = watching(std::move(progress));
   const auto found =
       released([&] { return pendula::trust_horizon(asked, asked.end(), pendula::outcome::reached_end, watch); });
@@ -153,7 +155,7 @@ void bind_runs(nb::module_& m) {
   m.def("ensemble", &ensemble, "request"_a, "states"_a, "parameters"_a, "threads"_a, "progress"_a.none(),
         "The runs from states (n, d) with parameters (n, p), or (1, p) for all, in place of the request's own.");
   m.def("trust_horizon", &trust_horizon, "request"_a, "progress"_a.none(),
-        "The trust horizon of a run that reached its end, not checked again; infinite: not within the run.");
+        "The trust horizon of a run that reached its end; infinite: not within the run.");
   m.def("outcomes", &outcome_names, nb::sig("def outcomes() -> list[str]"), "How runs end, by number.");
   m.attr("largest_long_angle") = pendula::largest_long_angle;
   m.def("long_run_digits", &long_run_digits, "Decimal digits of the levels of `long_run`.");

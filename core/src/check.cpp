@@ -162,7 +162,7 @@ maybe check_together(const request& asked, const method_row& method) {
                  "events_of_fixed",
                  {},
                  {{"method", asked.method},
-                  {"choices", names_where(method_rows(), [](const method_row& each) { return each.adaptive; })}}};
+                  {"any_of", names_where(method_rows(), [](const method_row& each) { return each.adaptive; })}}};
   return {};
 }
 
@@ -182,7 +182,7 @@ maybe check_events(const request& asked) {
   for (const event& each : asked.events)
     if (each.kind != event_kind::tip_height && (each.index < 0 || static_cast<std::size_t>(each.index) >= rods))
       return fault{
-          "i", "rod", static_cast<std::int64_t>(each.index) + 1, {{"system", asked.system.name}, {"choices", choices}}};
+          "i", "rod", static_cast<std::int64_t>(each.index) + 1, {{"system", asked.system.name}, {"any_of", choices}}};
   return {};
 }
 

@@ -112,6 +112,21 @@ std::vector<crossings> by_event(const std::vector<worker>& workers, std::size_t 
   return all;
 }
 
+// There is room for outputs at the same times alone, and each row has its components and its parameters.
+std::optional<fault> check_rows(const request& asked, const ensemble_rows& rows) {
+  const std::size_t parameters = asked.system.parameters.size();
+  const bool fit = rows.dimension == asked.state.size() && rows.states.size() == rows.count * rows.dimension &&
+                   (rows.parameters_apart == 0 || rows.parameters_apart == parameters) &&
+                   rows.parameters.size() == (rows.parameters_apart == 0 ? 1 : rows.count) * parameters;
+  if (asked.own_steps) return fault{"t", "one_end", static_cast<std::int64_t>(rows.count), {}};
+  if (!fit)
+    return fault{"states",
+                 "rows",
+                 static_cast<std::int64_t>(rows.states.size()),
+                 {{"count", static_cast<std::int64_t>(rows.count)}}};
+  return {};
+}
+
 // The trust horizon of each run; false where `watch` ended it.
 bool find_horizons(const request& asked, const ensemble_rows& rows, pool& workers, const watcher& watch,
                    ensemble_result& result) {
@@ -129,11 +144,10 @@ bool find_horizons(const request& asked, const ensemble_rows& rows, pool& worker
 
 }  // namespace
 
-ensemble_result run_ensemble(const request& of_all, const ensemble_rows& rows, pool& workers, const watcher& watch) {
+ensemble_result run_ensemble(const request& asked, const ensemble_rows& rows, pool& workers, const watcher& watch) {
   ensemble_result result;
-  request asked = of_all;
-  asked.own_steps = false;  // there is room for outputs at the same times alone
   result.refused = check_of_doubles(asked);
+  if (!result.refused) result.refused = check_rows(asked, rows);
   if (result.refused) return result;
   const std::size_t n = rows.count, outputs = asked.times.size();
   result.ended.resize(n);

@@ -133,12 +133,16 @@ BOOST_AUTO_TEST_CASE(dense_output_is_what_outputs_there_would_have_been) {
 }
 
 BOOST_AUTO_TEST_CASE(of_many_steps_every_so_many_are_kept) {
+  struct numbered final : step_motion {
+    double number = 0.0;
+    two_doubles start() const override { return {number, 0.0}; }
+    double stop() const override { return 1.0; }
+    double time_after(double tau) const override { return number + tau; }
+    void angles(double, double*) const override {}
+    step_memory memory() const override { return {number}; }
+  };
   step_starts starts;
-  for (int n = 0; n < 100'000; ++n) {
-    step_memory start{};
-    start[0] = n;
-    starts.add(start);
-  }
+  for (numbered step; step.number < 100'000; ++step.number) starts.add(step);
   BOOST_TEST((starts.size() > 10'000u && starts.size() <= 1u << 14));
   const double stride = starts.time(1);
   for (std::size_t i = 0; i < starts.size(); ++i) BOOST_TEST_REQUIRE(starts.time(i) == stride * static_cast<double>(i));

@@ -9,7 +9,7 @@ from dataclasses import dataclass, fields
 from typing import TYPE_CHECKING, Any, TypedDict, cast
 
 from pendula import _engine
-from pendula._checks import number, whole
+from pendula._checks import number, whole_number
 from pendula.run.events import Event, checked_events, described, event_from
 
 if TYPE_CHECKING:
@@ -88,12 +88,19 @@ def checked_types(
             raise TypeError(f"{function}() got an unexpected keyword argument {name!r}")
     return {
         **{
-            row.name: (whole if row.whole else number)(row.name, given[row.name], row.unit)
+            row.name: _number_of(row, given[row.name])
             for row in ROWS.values()
             if given.get(row.name) is not None
         },
         "events": checked_events(given.get("events", ())),
     }
+
+
+def _number_of(row: _engine.OptionRow, value: object) -> float | int:
+    """A value as the core's number; whole ones have to be in range to be one."""
+    if row.whole:
+        return whole_number(row.name, value, int(row.most))
+    return number(row.name, value, row.unit)
 
 
 def takes_options(*names: str, **otherwise: str) -> Callable[[Function], Function]:

@@ -55,7 +55,9 @@ def poincare_section(
     import numpy as np
 
     check_system(system)
-    (surface,) = checked_events(event, "event")
+    surfaces = checked_events(event, "event")
+    if len(surfaces) != 1:
+        raise ArgumentError("event", "must be one event, got {value} of them", value=len(surfaces))
     count = whole_number("n", n, _MOST_CROSSINGS)
     asked = Request(
         state=checked_state(state, system),
@@ -63,7 +65,7 @@ def poincare_section(
         t0=finite_number("t0", t0, "s"),
         **{
             **checked_types(options, "poincare_section", _OPTIONS),
-            "events": (replace(surface, terminal=count),),
+            "events": (replace(surfaces[0], terminal=count),),
         },
     )
     if asked.max_steps is None:

@@ -219,7 +219,7 @@ class event_tracker {
     if constexpr (Positioned<system_of<Stepper>>) {
       return stepper.of().positions(y).back()[1] - what_.value;
     } else {
-      return __builtin_nan("");  // check() refuses heights of a system without positions
+      return __builtin_nan("");  // every system of the catalogue has positions
     }
   }
 
