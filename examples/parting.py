@@ -1,4 +1,4 @@
-"""When does each method stop being right? Draws the picture of the README.
+"""How long does each method stay accurate? Draws the picture of the README.
 
 Two rods of 1 m and 1 kg, released from 120° and −10°, go by Euler, Heun and RK4 with steps of
 1 ms; the reference is RK4 with steps of 0.1 ms. Needs the extra "report". Run it as
@@ -42,7 +42,7 @@ def draw_differences(ax: Axes, runs: dict[str, Trajectory]) -> None:
     for name, title in NAMES.items():
         t, apart = runs["reference"].t, angle_difference(runs[name], runs["reference"])
         moment = parting_time(t, apart, TOLERANCE)
-        label = f"{title}: right to 1° for {moment:.1f} s"
+        label = f"{title}: accurate to 1° for {moment:.1f} s"
         print(label)
         ax.semilogy(t[1:], np.degrees(apart[1:]), color=COLOURS[name], linewidth=1.2, label=label)
         ax.plot(moment, 1.0, "o", color=COLOURS[name])

@@ -46,7 +46,8 @@ def summary(run: Trajectory) -> str:
     """How a run was made, how it ended, and until when it is accurate."""
     asked, error = run.request, "no outputs"
     if run.t.size:
-        error = f"largest relative energy error {largest_energy_error(run):.2g}"
+        kind = "error" if run.system.can.conservative else "change"
+        error = f"largest relative energy {kind} {largest_energy_error(run):.2g}"
     if run.method == "exact":
         return f"exact: {times_of(run)}; {error}"
     if asked.digits is not None:

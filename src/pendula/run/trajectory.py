@@ -92,7 +92,10 @@ class Trajectory:
 
     @property
     def energy_error(self) -> Array:
-        """(E(t) − E(t0)) / E(t0), (n,); over mgL (or D + E) for a start at rest at the bottom."""
+        """(E(t) − E(t0)) / E(t0), (n,); over mgL (or D + E) for a start at rest at the bottom.
+
+        An error where the system is conservative (`system.can.conservative`), else a change.
+        """
         import numpy as np
 
         start = self.system.energy(self.request.state)[..., np.newaxis]
