@@ -147,7 +147,8 @@ def test_its_sentence_is_complete(rule: str, language: str) -> None:
 
 @pytest.mark.parametrize("rule", sorted(NOT_TO_BREAK))
 def test_sentences_that_nothing_is_told_in_yet_name_what_their_like_do(rule: str) -> None:
-    places = {*fault_of("needs_separable").details, "value", "in_unit"}
+    counted = fault_of("count_of_components").details
+    places = {*fault_of("needs_separable").details, *counted, "value", "in_unit"}
     row = ROWS[rule]
     for text in (row.english, row.way_out_in_english, row.spanish, row.way_out_in_spanish):
         assert set(re.findall(r"\{(\w+)\}", text)) <= places

@@ -217,7 +217,7 @@ def ensemble(request: Request, states: Annotated[NDArray[numpy.float64], dict(sh
 
 def trust_horizon(request: Request, progress: object | None) -> float:
     """
-    The trust horizon of a run that reached its end, not checked again; infinite: not within the run.
+    The trust horizon of a run that reached its end; infinite: not within the run.
     """
 
 def outcomes() -> list[str]:
