@@ -79,10 +79,12 @@ BROKEN: dict[str, tuple[str, _engine.Request]] = {
     "events_of_fixed": ("events", fixed(events=[flip(1).for_core()])),
     "rod": ("i", asked(events=[flip(2).for_core()])),
 }
-# Of methods that need what every system has there is none; what is no number gets to no core.
+# What is no number gets to no core; `digits` are another run's, and checked there; and there is no
+# method that needs what no system lacks.
 NEEDS = {f"needs_{each.needs}" for each in METHODS if each.needs != "flow"}  # which all have
-# All have a series, and `digits` go by another way.
-NOT_TO_BREAK = {"number", "needs_series", "not_of_doubles", *NEEDS} - {f"needs_{method.needs}" for method, _ in REFUSED}
+NOT_TO_BREAK = {"number", "not_of_doubles", "needs_series", *NEEDS} - {
+    f"needs_{method.needs}" for method, _ in REFUSED
+}
 every_rule = pytest.mark.parametrize("rule", BROKEN)
 
 
@@ -160,6 +162,15 @@ def test_both_languages_say_the_same_with_the_same_values(rule: str) -> None:
         return sorted(re.findall(r"\{\w+\}|<[^>]+>", " ".join(templates)))
 
     assert named(row.english, row.way_out_in_english) == named(row.spanish, row.way_out_in_spanish)
+
+
+def test_a_run_of_doubles_refuses_digits() -> None:
+    """Which the package makes by runs of many digits."""
+    many = _core.ensemble(asked(digits=9), np.zeros((3, 2)), np.zeros((1, 0)), 1, None)
+    for result in (_core.solve(asked(digits=9), None), many):
+        assert result.refused is not None
+        assert (result.refused.rule, result.refused.argument) == ("not_of_doubles", "digits")
+    assert _engine.check(asked(digits=9)) is None
 
 
 # ---- errors as data ----
