@@ -164,6 +164,15 @@ def test_both_languages_say_the_same_with_the_same_values(rule: str) -> None:
     assert named(row.english, row.way_out_in_english) == named(row.spanish, row.way_out_in_spanish)
 
 
+def test_a_run_of_doubles_refuses_digits() -> None:
+    """Which the package makes by runs of many digits."""
+    many = _core.ensemble(asked(digits=9), np.zeros((3, 2)), np.zeros((1, 3)), 1, None)
+    for result in (_core.solve(asked(digits=9), None), many):
+        assert result.refused is not None
+        assert (result.refused.rule, result.refused.argument) == ("not_of_doubles", "digits")
+    assert _engine.check(asked(digits=9)) is None
+
+
 # ---- errors as data ----
 
 
