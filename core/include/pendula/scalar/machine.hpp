@@ -14,11 +14,14 @@
 namespace pendula::inline PENDULA_MACHINE {
 
 namespace detail {
+// Lane i gets the number place(i) of those of a and b, counted through.
+template <class Vector, class Place, int... i>
+PENDULA_INLINE Vector shuffled(Vector a, Vector b, Place place, std::integer_sequence<int, i...>) {
+  return __builtin_shufflevector(a, b, place(i)...);
+}
 template <int W, class Place>
-PENDULA_INLINE auto shuffled(pack<double, W> a, pack<double, W> b, Place place) {
-  return [&]<int... i>(std::integer_sequence<int, i...>) {
-    return __builtin_shuffle(a.v, b.v, typename pack<double, W>::integers{place(i)...});
-  }(std::make_integer_sequence<int, W>{});
+PENDULA_INLINE pack<double, W> shuffled(pack<double, W> a, pack<double, W> b, Place place) {
+  return pack<double, W>(shuffled(a.v, b.v, place, std::make_integer_sequence<int, W>{}));
 }
 }  // namespace detail
 
@@ -42,8 +45,8 @@ PENDULA_INLINE void load_pairs(const double* from, pack<double, W>& first, pack<
     pack<double, W> a, b;
     load(from, a);
     load(from + W, b);
-    first.v = detail::shuffled<W>(a, b, [](int i) { return 2 * i; });
-    second.v = detail::shuffled<W>(a, b, [](int i) { return 2 * i + 1; });
+    first = detail::shuffled(a, b, [](int i) { return 2 * i; });
+    second = detail::shuffled(a, b, [](int i) { return 2 * i + 1; });
   }
 }
 template <int W>
@@ -52,9 +55,8 @@ PENDULA_INLINE void store_pairs(pack<double, W> first, pack<double, W> second, d
     store_pairs(first.low, second.low, to);
     store_pairs(first.high, second.high, to + W);
   } else {
-    const auto place = [](int i) { return i / 2 + (i % 2) * W; };
-    store(pack<double, W>(detail::shuffled<W>(first, second, place)), to);
-    store(pack<double, W>(detail::shuffled<W>(first, second, [place](int i) { return place(i + W); })), to + W);
+    store(detail::shuffled(first, second, [](int i) { return i / 2 + (i % 2) * W; }), to);
+    store(detail::shuffled(first, second, [](int i) { return (i + W) / 2 + (i % 2) * W; }), to + W);
   }
 }
 
@@ -67,7 +69,7 @@ PENDULA_INLINE pack<double, sizeof...(from)> rearranged(pack<double, sizeof...(f
     int to = 0;
     (result.set(to++, x[from]), ...);
   } else {
-    result.v = __builtin_shuffle(x.v, typename pack<double, width>::integers{from...});
+    result.v = __builtin_shufflevector(x.v, x.v, from...);
   }
   return result;
 }
@@ -86,16 +88,24 @@ PENDULA_INLINE pack<double, sizeof...(Numbers)> lanes_of(Numbers... numbers) {
 PENDULA_INLINE double square_root(double x) { return std::sqrt(x); }
 template <int W>
 PENDULA_INLINE pack<double, W> square_root(pack<double, W> x) {
+  if constexpr (W > lanes_of_machine) {
+    return {square_root(x.low), square_root(x.high)};
 #if defined(__AVX512F__)
-  if constexpr (W == 8) return pack<double, W>(_mm512_sqrt_pd(x.v));
+  } else if constexpr (W == 8) {
+    return pack<double, W>(_mm512_sqrt_pd(x.v));
 #endif
 #if defined(__AVX__)
-  if constexpr (W == 4) return pack<double, W>(_mm256_sqrt_pd(x.v));
+  } else if constexpr (W == 4) {
+    return pack<double, W>(_mm256_sqrt_pd(x.v));
 #endif
 #if defined(__SSE2__)
-  if constexpr (W == 2) return pack<double, W>(_mm_sqrt_pd(x.v));
+  } else if constexpr (W == 2) {
+    return pack<double, W>(_mm_sqrt_pd(x.v));
 #endif
-  if constexpr (W > lanes_of_machine) return {square_root(x.low), square_root(x.high)};
+  } else {  // no intrinsic: other processors, WebAssembly
+    for (int l = 0; l < W; ++l) x.set(l, std::sqrt(x[l]));
+    return x;
+  }
 }
 
 // table[index], lane by lane.
@@ -122,13 +132,18 @@ inline constexpr bool fused_multiply_add = true;
 PENDULA_INLINE double product_minus(double a, double b, double p) { return __builtin_fma(a, b, -p); }
 template <int W>
 PENDULA_INLINE pack<double, W> product_minus(pack<double, W> a, pack<double, W> b, pack<double, W> p) {
-#if defined(__AVX512F__)
-  if constexpr (W == 8) return pack<double, W>(_mm512_fmsub_pd(a.v, b.v, p.v));
-#endif
-  if constexpr (W == 4) return pack<double, W>(_mm256_fmsub_pd(a.v, b.v, p.v));
-  if constexpr (W == 2) return pack<double, W>(_mm_fmsub_pd(a.v, b.v, p.v));
-  if constexpr (W > lanes_of_machine)
+  if constexpr (W > lanes_of_machine) {
     return {product_minus(a.low, b.low, p.low), product_minus(a.high, b.high, p.high)};
+#if defined(__AVX512F__)
+  } else if constexpr (W == 8) {
+    return pack<double, W>(_mm512_fmsub_pd(a.v, b.v, p.v));
+#endif
+  } else if constexpr (W == 4) {
+    return pack<double, W>(_mm256_fmsub_pd(a.v, b.v, p.v));
+  } else {
+    static_assert(W == 2);
+    return pack<double, W>(_mm_fmsub_pd(a.v, b.v, p.v));
+  }
 }
 #else
 inline constexpr bool fused_multiply_add = false;
