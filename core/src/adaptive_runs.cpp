@@ -48,17 +48,26 @@ class reporter {
     const bool go_on = to_.step(motion_of<Run>(run, stop));
     if (times_.empty()) {
       const bool at_end = stop == run.since_step(run.end());
-      output(run, at_end ? run.end() : last_time_in_step(run, stop));
+      if (run.terminated()) {
+        to_.output(next_++, last_event_.t, last_event_.y.data());
+      } else {
+        output(run, at_end ? run.end() : last_time_in_step(run, stop));
+      }
     }
     while (next_ < times_.size() && reached(run, stop)) output(run, times_[next_]);
     return go_on;
   }
   void event(const Run& run, int place, double tau) {
-    const auto y = run.stepper().state_of(run.stepper().after(tau));
-    to_.event(place, run.time_after(tau), y.data());
+    last_event_ = {run.time_after(tau), run.stepper().state_of(run.stepper().after(tau))};
+    to_.event(place, last_event_.t, last_event_.y.data());
   }
 
  private:
+  struct event_passed {
+    double t;
+    typename Run::state y;
+  };
+
   bool reached(const Run& run, double stop) const {
     return run.since_step(times_[next_]) * run.direction() <= stop * run.direction();
   }
@@ -76,6 +85,7 @@ class reporter {
   std::span<const double> times_;
   std::size_t next_;
   receiver& to_;
+  event_passed last_event_{};  // the state with which a run that it ends goes on elsewhere
 };
 
 // Calls visit(stepper) for what is asked for; the stepper stands at the start.

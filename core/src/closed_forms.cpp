@@ -39,7 +39,10 @@ exact_outcome solve(const double* p, std::span<const double> states, std::span<c
   return linear ? exact_linear(kernel, asked, out, go_on) : exact_simple(kernel, asked, out, go_on);
 }
 
-double period_of_linear(const double* p, const double*) { return 2.0 * 3.141592653589793 / std::sqrt(p[1] / p[0]); }
+// To the same bits as that of a simple pendulum whose swings are infinitely small.
+double period_of_linear(const double* p, const double*) {
+  return 2.0 * rounded(wide<double>(1.0) / simple_constants<double>(p[0], p[1]).frequency_over_pi);
+}
 
 double action_of_linear(const double* p, const double* y) {
   const auto system = linear_pendulum::make<double>(0, p);

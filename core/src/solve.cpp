@@ -44,6 +44,7 @@ struct collector final : receiver {
     crossings& mine = to.events[static_cast<std::size_t>(place)];
     mine.times.push_back(t);
     mine.states.insert(mine.states.end(), y, y + asked.state.size());
+    last_event.assign(y, y + asked.state.size());
   }
   bool step(const step_motion& motion) override {
     starts.add(motion);
@@ -56,6 +57,7 @@ struct collector final : receiver {
   const watcher& watch;
   double span;
   step_starts starts;
+  std::vector<double> last_event;
 };
 
 // Room for the outputs that are known to come: none is moved again.
@@ -85,7 +87,9 @@ run_result solve(const request& asked, const watcher& watch) {
   result.steps = end.steps;
   result.evaluations = end.evaluations;
   result.reached = end.reached;
-  if (kernel.revisit) result.dense = std::make_shared<dense_output>(asked, std::move(to.starts), end.reached);
+  if (end.ended != outcome::event) to.last_event.clear();
+  if (kernel.revisit)
+    result.dense = std::make_shared<dense_output>(asked, std::move(to.starts), end.reached, std::move(to.last_event));
   if (certified && end.ended != outcome::interrupted) {
     result.trust_horizon = trust_horizon(asked, end.reached, end.ended, part_of(watch, plain_share, 1.0));
     if (!result.trust_horizon) result.ended = outcome::interrupted;
@@ -93,8 +97,8 @@ run_result solve(const request& asked, const watcher& watch) {
   return result;
 }
 
-dense_output::dense_output(request run, step_starts starts, double reached)
-    : run_(std::move(run)), starts_(std::move(starts)), reached_(reached) {}
+dense_output::dense_output(request run, step_starts starts, double reached, std::vector<double> last)
+    : run_(std::move(run)), starts_(std::move(starts)), reached_(reached), last_(std::move(last)) {}
 
 namespace {
 
@@ -117,7 +121,10 @@ struct writer final : receiver {
 }  // namespace
 
 bool dense_output::at(std::span<const double> times, double* states, const watcher& watch) const {
-  const std::size_t d = run_.state.size(), count = times.size();
+  const std::size_t d = run_.state.size();
+  std::size_t count = times.size();
+  for (; !last_.empty() && count > 0 && times[count - 1] == reached_; --count)
+    std::ranges::copy(last_, states + d * (count - 1));
   const double direction = run_.direction();
   request part = run_;
   part.own_steps = false;

@@ -110,6 +110,32 @@ BOOST_AUTO_TEST_CASE(a_run_ends_as_it_says) {
   BOOST_TEST(run.events[1].times.size() > 0u);
 }
 
+// It ends on the event, bit for bit; a run from there starts on the event and finds the next one.
+BOOST_AUTO_TEST_CASE(a_run_goes_on_from_the_event_that_ended_it) {
+  const event kinds[] = {{event_kind::angle, 1, 0.0, 0.0, true, 0, 1},
+                         {event_kind::velocity_zero, 0, 0.0, 0.0, false, 0, 1},
+                         {event_kind::tip_height, 0, -0.5, 0.0, false, 0, 1}};
+  for (const std::string_view method : {"taylor", "dop853"})
+    for (const event& each : kinds) {
+      request asked = with_method(method, "double");
+      asked.own_steps = true;
+      asked.events = {each};
+      for (int i = 0; i < 30; ++i) {
+        asked.times = {asked.t0 + 1000.0};
+        const run_result run = solve(asked, always);
+        BOOST_TEST_REQUIRE(name_of(run.ended) == "event");
+        BOOST_TEST(run.reached > asked.t0 + 1e-6);
+        BOOST_TEST(run.times.back() == run.events[0].times[0]);
+        asked.t0 = run.reached;
+        asked.state.assign(run.states.end() - 4, run.states.end());
+        BOOST_TEST(same_bits(asked.state, run.events[0].states));
+        std::vector<double> last(4);
+        BOOST_TEST(run.dense->at(std::array{run.reached}, last.data(), always));
+        BOOST_TEST(same_bits(last, asked.state));
+      }
+    }
+}
+
 // The motion between outputs, worked out again, has the bits of outputs, at the ends of steps, too.
 BOOST_AUTO_TEST_CASE(dense_output_is_what_outputs_there_would_have_been) {
   for (const double end : {2.0, -2.0})

@@ -29,7 +29,7 @@ class adaptive_run {
 
   adaptive_run(Stepper& stepper, double t0, double end, std::span<const event> events = {})
       : adaptive_run(stepper, {{S(t0)}, {S(0.0)}}, end, end < t0 ? -1.0 : 1.0) {
-    for (const event& each : events) trackers_.emplace_back(each, static_cast<int>(trackers_.size()));
+    for (const event& each : events) trackers_.emplace_back(each, static_cast<int>(trackers_.size()), t0);
     counts_.resize(trackers_.size());
   }
   // A run that is taken up where a step of another one began.
@@ -53,11 +53,10 @@ class adaptive_run {
       const S left = since_step(end_);
       const bool last = !(direction_ * rough(stepper_.length()) < direction_ * rough(left));
       S stop = last ? left : S(stepper_.length());
-      bool terminated = false;
-      if constexpr (std::same_as<S, double>) terminated = !trackers_.empty() && report_events(stop, consumer);
+      if constexpr (std::same_as<S, double>) terminated_ = !trackers_.empty() && report_events(stop, consumer);
       const bool enough = !consumer.step(*this, stop);
-      result.reached = last && !terminated ? end_ : time_after(stop);
-      if (terminated) return ended(result, outcome::event);
+      result.reached = last && !terminated_ ? end_ : time_after(stop);
+      if (terminated_) return ended(result, outcome::event);
       if (last) return ended(result, outcome::reached_end);
       if (enough) return ended(result, outcome::interrupted);
       stepper_.proceed(next);
@@ -70,6 +69,8 @@ class adaptive_run {
   const Stepper& stepper() const { return stepper_; }
   double direction() const { return direction_; }
   double end() const { return end_; }
+  // Whether one of the events in the step ends the run.
+  bool terminated() const { return terminated_; }
   // The start of the step, and how far after it a time is.
   const point_in_time& time() const { return time_; }
   S since_step(double t) const { return (S(t) - time_.head[0]) - time_.tail[0]; }
@@ -117,6 +118,7 @@ class adaptive_run {
   Stepper& stepper_;
   point_in_time time_;
   double end_, direction_;
+  bool terminated_ = false;
   std::vector<event_tracker> trackers_;
   std::vector<std::int64_t> counts_;
   std::vector<crossing> found_;

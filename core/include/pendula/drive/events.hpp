@@ -28,6 +28,8 @@ inline constexpr double joining = 0x1p-30;
 // More turns than these in one step, about a second's work, or so far away, are not looked at one by one.
 inline constexpr double most_turns = 0x1p18, most_turns_of_tip = 0x1p12, farthest_turn = 0x1p50;
 
+inline double last_bit(double t) { return std::nextafter(std::fabs(t), HUGE_VAL) - std::fabs(t); }
+
 // Of an angle that is a polynomial: s' = c θ', c' = −s θ'.
 inline polynomial cosine_of(const polynomial& angle) {
   polynomial s, c;
@@ -59,7 +61,8 @@ struct crossing {
 // of a step has been reported already.
 class event_tracker {
  public:
-  event_tracker(const event& what, int place) : what_(what), place_(place) {}
+  event_tracker(const event& what, int place, double t0)
+      : what_(what), place_(place), last_bits_of_time_(2.0 * detail::last_bit(t0)) {}
 
   // Whether all crossings of the step can be found; a motion too fast for that ends the run.
   template <class Stepper>
@@ -126,7 +129,9 @@ class event_tracker {
     const double reach = p.reach(1.0), noise = 0x1p-50 * (size(stepper, p) + reach);
     const double margin = std::max(detail::unsure * reach, noise);
     const double beside = minus_turns(stepper, part, p, nearest(p.coefficient[0])).coefficient[0];
-    const bool sure_of_start = begin(stepper, part, beside, p, margin, found);
+    const bool first = first_;
+    const bool sure_of_start = first ? begin_run(stepper, part, beside, p, margin)
+                                     : begin(stepper, part, beside, p, margin, found);
     std::vector<passage> passages;
     const auto turns = [](double angle) { return static_cast<std::int64_t>(angle / detail::turn_head); };
     const std::int64_t lowest = what_.every_turn ? turns(std::floor(p.coefficient[0] - reach)) - 1 : 0;
@@ -141,8 +146,37 @@ class event_tracker {
     const std::int64_t n = nearest(p(end)), left_in = passages.empty() ? gap_ : passages.back().gap;
     const double at_end = minus_turns(stepper, part, p, n)(end);
     const bool short_of_one = std::fabs(at_end) > margin && left_in != (at_end > 0.0 ? n : n - 1);
-    if (short_of_one && !sure_of_start) pass(stepper, part.from, side_after(beside, p, margin), found);
+    if (short_of_one && !sure_of_start && !first) pass(stepper, part.from, side_after(beside, p, margin), found);
     for (const passage& each : passages) pass(stepper, part.from + part.width * each.y, each.gap, found);
+  }
+
+  // Which gap a run begins in; false where it starts on a target. That it does where an event ended the run before it,
+  // whose state is on the target but for its rounding, and for what the quantity changes by in the last bits of t0.
+  template <class Stepper>
+  bool begin_run(const Stepper& stepper, piece part, double beside, const polynomial& p, double margin) {
+    first_ = false;
+    const double rate = p.reach(1.0) / (part.width * std::fabs(stepper.length()));
+    const double rounding = 0x1p-50 * (size(stepper, p) + scale(stepper)) + rate * last_bits_of_time_;
+    const double near = std::max(margin, rounding);
+    gap_ = side_after(beside, p, near);
+    return std::fabs(beside) > near;
+  }
+
+  // What the numbers of a state are as large as that the quantity is made of: their rounding is in parts of that.
+  template <class Stepper>
+  double scale(const Stepper& stepper) const {
+    if (what_.kind == event_kind::angle) return stepper.amplitude();
+    double sum = 0.0;
+    if (what_.kind == event_kind::velocity_zero) {
+      sum = stepper.amplitude() * stepper.frequency();
+      for (std::size_t i = 0; i < degrees_of_freedom<system_of<Stepper>>; ++i)
+        sum += std::fabs(stepper.velocity_polynomial(static_cast<int>(i)).coefficient[0]);
+    } else {
+      const auto lengths = lengths_of(stepper);
+      for (std::size_t i = 0; i < lengths.size(); ++i)
+        sum += lengths[i] * std::fabs(stepper.angle_polynomial(static_cast<int>(i)).coefficient[0]);
+    }
+    return sum;
   }
 
   // Which gap the motion is in at the start of a part; false where it is too near to a target to decide. Where it is
@@ -152,8 +186,6 @@ class event_tracker {
              std::vector<crossing>& found) {
     const bool sure = std::fabs(beside) > margin;
     const std::int64_t now = side_after(beside, p, margin);
-    if (first_) gap_ = now;
-    first_ = false;
     if (sure && std::fabs(beside) <= detail::joining * p.reach(1.0)) pass(stepper, part.from, now, found);
     if (sure) gap_ = now;
     return sure;
@@ -254,6 +286,7 @@ class event_tracker {
 
   event what_;
   int place_;
+  double last_bits_of_time_;  // two of t0's
   bool first_ = true;
   std::int64_t gap_ = 0;
 };

@@ -46,6 +46,8 @@ struct lane_view {
   double length() const { return lane(all.length(), l); }
   polynomial angle_polynomial(int i) const { return all.angle_polynomial(i, l); }
   polynomial velocity_polynomial(int i) const { return all.velocity_polynomial(i, l); }
+  double amplitude() const { return all.amplitude(l); }
+  double frequency() const { return all.frequency(l); }
   compensated_point<vec<double, dimension>> after(double tau) const {
     const auto point = all.after(S(tau));
     compensated_point<vec<double, dimension>> mine;
@@ -129,7 +131,8 @@ class lanes_run {
     mine.terminated = false;
     mine.system = one_.of();
     mine.trackers.clear();
-    for (const event& each : task_.events) mine.trackers.emplace_back(each, static_cast<int>(mine.trackers.size()));
+    for (const event& each : task_.events)
+      mine.trackers.emplace_back(each, static_cast<int>(mine.trackers.size()), task_.t0);
     mine.counts.assign(task_.events.size(), 0);
     ++running_;
     soonest_limit_ = std::min(soonest_limit_, steps_ + task_.step_limit);

@@ -28,7 +28,8 @@ class step_starts {
 // States at any times of a run that was made.
 class dense_output {
  public:
-  dense_output(request run, step_starts starts, double reached);
+  // `last`: the state of the event that ended the run, between two bits of its time; empty where none did.
+  dense_output(request run, step_starts starts, double reached, std::vector<double> last);
 
   double reached() const { return reached_; }  // the time up to which the run was made
   // States (n, d) at times (n,) that follow one another in the direction of the run, within it. One next to the end of
@@ -39,6 +40,7 @@ class dense_output {
   request run_;
   step_starts starts_;
   double reached_;
+  std::vector<double> last_;
 };
 
 }  // namespace pendula

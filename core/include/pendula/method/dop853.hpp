@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "pendula/description.hpp"
+#include "pendula/method/amplitude.hpp"
 #include "pendula/method/dop853_step.hpp"
 #include "pendula/scalar/compensated.hpp"
 #include "pendula/scalar/polynomial_roots.hpp"
@@ -21,7 +22,8 @@ class dop853_stepper {
   using point = compensated_point<state>;
   static_assert(has_double_precision<S>, "the coefficients are known to as many digits as a double has");
 
-  dop853_stepper(const Sys& system, double log2_of_tolerance) : tolerance_(rough_exp2(log2_of_tolerance)) {
+  dop853_stepper(const Sys& system, double log2_of_tolerance)
+      : inverse_tolerance_squared_(rough_exp2(-2.0 * log2_of_tolerance)) {
     change(system);
   }
 
@@ -41,10 +43,7 @@ class dop853_stepper {
     now_.at.tail.fill(S(0.0));
     now_.slope = system_.rhs(t, y);
     now_.step = S(0.0);
-    const S energy = system_.kinetic_energy(y) + system_.potential_energy(y);
-    const S amplitude_squared = (energy + energy) / system_.energy_scale();
-    const auto small = mask_and(less(S(0.0), amplitude_squared), less(amplitude_squared, S(1.0)));
-    now_.size = choose(small, square_root(amplitude_squared), S(1.0));
+    now_.size = rough_exp2(log2_of_amplitude(system_, y));
     evaluations_ = S(1.0);
     extra_evaluations_ = S(0.0);
   }
@@ -109,6 +108,10 @@ class dop853_stepper {
     return static_cast<std::int64_t>(lane(evaluations_, of_lane) + lane(extra_evaluations_, of_lane));
   }
 
+  // What the motion is as large as, in radians, and its highest frequency.
+  double amplitude() const { return now_.size; }
+  double frequency() const { return frequency_; }
+
   // Of the step's motion, on [0, 1] for the whole of it.
   polynomial angle_polynomial(int i) const { return component_polynomial(static_cast<std::size_t>(i)); }
   polynomial velocity_polynomial(int i) const { return component_polynomial(static_cast<std::size_t>(i) + freedom); }
@@ -125,11 +128,12 @@ class dop853_stepper {
     S factor;  // to the length of the step that would just be accepted, with some safety
   };
 
+  // Times the tolerance, which comes in later: an error allowed can be too small for its inverse to be a number.
   PENDULA_INLINE state inverse_of_error_allowed() const {
     state inverse;
     for (std::size_t i = 0; i < inverse.size(); ++i) {
       const S size = i < freedom ? now_.size : frequency_ * now_.size;
-      inverse[i] = S(1.0) / (tolerance_ * (size + magnitude(now_.at.head[i])));
+      inverse[i] = S(1.0) / (size + magnitude(now_.at.head[i]));
     }
     return inverse;
   }
@@ -139,9 +143,11 @@ class dop853_stepper {
   PENDULA_INLINE estimate estimated(const components& inverse_scale) const {
     const components fifth = engine::template sum<dop853_table::error, 0>(k_, number(length_)),
                      other = engine::template sum<dop853_table::error, 1>(k_, number(length_));
-    const S e5 = engine::sum_of_squares(engine::each([&]<std::size_t i> { return fifth[i] * inverse_scale[i]; }));
-    const S e3 = engine::sum_of_squares(
-        engine::each([&]<std::size_t i> { return (increment_[i] - other[i]) * inverse_scale[i]; }));
+    const auto squares = [this](const components& parts) {
+      return inverse_tolerance_squared_ * engine::sum_of_squares(parts);
+    };
+    const S e5 = squares(engine::each([&]<std::size_t i> { return fifth[i] * inverse_scale[i]; }));
+    const S e3 = squares(engine::each([&]<std::size_t i> { return (increment_[i] - other[i]) * inverse_scale[i]; }));
     const S sum = S(static_cast<double>(Sys::dimension)) * (e5 + S(0.01) * e3);
     const S below = choose(equal(sum, S(0.0)), S(1.0), sum);
     const S log2_of_error = rough_log2(e5) - S(0.5) * rough_log2(below);
@@ -157,7 +163,8 @@ class dop853_stepper {
     const S unit = S(1.0) / frequency_;
     const components from = engine::paired(now_.slope);
     const auto squares = [&](const components& a) {
-      return engine::sum_of_squares(engine::each([&]<std::size_t i> { return a[i] * inverse_scale[i]; }));
+      return inverse_tolerance_squared_ *
+             engine::sum_of_squares(engine::each([&]<std::size_t i> { return a[i] * inverse_scale[i]; }));
     };
     const S of_state = squares(y), of_slope = squares(from) * (unit * unit);
     const auto large = mask_and(less(S(1e-10), of_state), less(S(1e-10), of_slope));
@@ -252,7 +259,7 @@ class dop853_stepper {
   friend class dop853_stepper;
 
   Sys system_{};
-  S tolerance_, frequency_, shortest_, longest_;
+  S inverse_tolerance_squared_, frequency_, shortest_, longest_;
   memory now_;
   S time_, length_, proposed_;
   components increment_;

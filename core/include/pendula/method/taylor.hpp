@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "pendula/description.hpp"
+#include "pendula/method/amplitude.hpp"
 #include "pendula/scalar/compensated.hpp"
 #include "pendula/scalar/polynomial_roots.hpp"
 #include "pendula/scalar/rough_powers.hpp"
@@ -51,10 +52,7 @@ class taylor_stepper {
   void start(const S&, const state& y) {
     at_.head = system_.canonical(y);
     at_.tail.fill(S(0.0));
-    const S energy = system_.kinetic_energy(y) + system_.potential_energy(y);
-    const R amplitude_squared = rough((energy + energy) / system_.energy_scale());
-    const auto small = mask_and(less(R(0.0), amplitude_squared), less(amplitude_squared, R(1.0)));
-    log2_of_scale_ = choose(small, R(0.5) * rough_log2(amplitude_squared), R(0.0));
+    log2_of_scale_ = log2_of_amplitude(system_, y);
   }
 
   // Where the motion is, and all that the next steps depend on.
@@ -94,7 +92,13 @@ class taylor_stepper {
     set_lane(log2_of_scale_, l, from.log2_of_scale_);
   }
 
-  // Of the step's motion in a lane, on [0, 1] for the whole of it.
+  // What the motion in a lane is as large as, in radians, and its highest frequency.
+  double amplitude(int l = 0) const { return rough_exp2(lane(log2_of_scale_, l)); }
+  double frequency(int l = 0) const { return longest_phase_ / lane(longest_, l); }
+
+  // Of the step's motion in a lane, on [0, 1] for the whole of it. The velocity's has what the series does not know of
+  // the velocity at the step's end as its last order: there it goes on in the next step without a gap, which might
+  // hide a zero or show one twice.
   polynomial angle_polynomial(int i, int l = 0) const {
     polynomial p;
     p.degree = order_;
@@ -110,6 +114,9 @@ class taylor_stepper {
     double power = 1.0;
     for (int k = 0; k < order_; ++k, power *= lane(length_, l))
       p.coefficient[k] = lane(series_.velocity(i, k), l) * power;
+    const double at_end = lane(velocity_at_end(i), l);
+    p.coefficient[order_] = at_end - p(1.0);
+    p.degree = order_;
     return p;
   }
 
@@ -126,10 +133,17 @@ class taylor_stepper {
     const S h = magnitude(length_);
     S sum(0.0);
     for (int k = order_ - 1; k >= 1; --k) sum = (sum + magnitude(series_.velocity(i, k))) * h;
-    return sum;
+    return sum + magnitude(velocity_at_end(i) - velocity_of_series(i));
   }
 
  private:
+  S velocity_at_end(int i) const { return state_of(after(S(length_)))[degrees_of_freedom<Sys> + i]; }
+  S velocity_of_series(int i) const {
+    S sum = series_.velocity(i, order_ - 1);
+    for (int k = order_ - 2; k >= 0; --k) sum = sum * S(length_) + series_.velocity(i, k);
+    return sum;
+  }
+
   // log2 |θ_k|, of the angle where it is largest.
   PENDULA_INLINE R log2_of_size(int k) const {
     constexpr int freedom = degrees_of_freedom<Sys>;

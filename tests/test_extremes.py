@@ -1,0 +1,73 @@
+"""The ends of the range: the largest angles, and amplitudes down to the smallest numbers."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pytest
+from mpmath import cos, mp, mpf, pi, sqrt
+
+from pendula import DoublePendulum, LinearPendulum, SimplePendulum, ensemble, exact, solve
+
+RODS = DoublePendulum.rods(m1=1.3, m2=0.7, l1=0.9, l2=1.1)
+DOUBLES = [
+    RODS,
+    DoublePendulum.bobs(m1=1.3, m2=0.7, l1=0.9, l2=1.1),
+    DoublePendulum.bodies(m1=1.0, m2=2.0, l1=1.0, c1=0.4, c2=0.6, I1=0.1, I2=0.2),
+]
+FAR = [(3.4e7, -3.4e7), (-6.7e7, 6.7e7), (6.7e7, 6.6e7), (1e5, -1e5), (2.0, -1.0)]
+
+
+@pytest.mark.parametrize("system", DOUBLES)
+@pytest.mark.parametrize("angles", FAR)
+def test_energies_of_large_angles(system: DoublePendulum, angles: tuple[float, float]) -> None:
+    """Each angle within 2^26, though their difference is not."""
+    state, constants = (*angles, 0.1, 0.2), {k: mpf(v) for k, v in system.constants.items()}
+    with mp.workdps(40):
+        a, b, w1, w2 = (mpf(x) for x in state)
+        kinetic = (constants["A"] * w1**2 + constants["B"] * w2**2) / 2
+        kinetic += constants["C"] * w1 * w2 * cos(a - b)
+        potential = constants["D"] * (1 - cos(a)) + constants["E"] * (1 - cos(b))
+    assert float(system.energy(state)) == pytest.approx(float(kinetic + potential), rel=1e-14)
+    run = solve(system, state, [0.1])
+    # the angles of its states are rounded to 1.5e-8 rad there
+    assert run.energy[-1] == pytest.approx(float(kinetic + potential), rel=1e-7)
+    energies = ensemble(system, [state], [0.1]).energy
+    assert energies.ravel()[-1] == run.energy[-1]
+
+
+@pytest.mark.parametrize("method", ["taylor", "dop853"])
+@pytest.mark.parametrize("amplitude", [1e-77, 1e-150, 1e-155, 1e-163, 1e-200, 1e-250, 1e-300])
+@pytest.mark.parametrize("system", [SimplePendulum(0.5), LinearPendulum(0.5)])
+def test_the_smallest_swings(system: Any, amplitude: float, method: str) -> None:
+    """Whose energy is below the smallest number; alone and through the lanes."""
+    for state in ((amplitude, 0.0), (0.0, -3.0 * amplitude), (-amplitude, amplitude)):
+        right = exact(system, state, [1.0, -3.0]).states / amplitude
+        for n, t in enumerate((1.0, -3.0)):
+            run = solve(system, state, [t], method)
+            np.testing.assert_allclose(run.states[-1] / amplitude, right[n], rtol=1e-12)
+            lanes = ensemble(system, [state, (1.0, 0.0)], [t], method)
+            assert lanes.states[0, -1].tobytes() == run.states[-1].tobytes()
+
+
+@pytest.mark.parametrize("method", ["taylor", "dop853"])
+@pytest.mark.parametrize("amplitude", [1e-150, 1e-155, 1e-163, 1e-200, 1e-300])
+@pytest.mark.parametrize("system", DOUBLES)
+def test_the_smallest_swings_of_two(system: DoublePendulum, amplitude: float, method: str) -> None:
+    """They are those of 1e-20 rad, smaller."""
+    small = np.array([1.0, -0.5, 0.3, 2.0])
+    right = solve(system, 1e-20 * small, [2.0], "taylor").states[-1] * 1e20
+    run = solve(system, amplitude * small, [2.0], method)
+    np.testing.assert_allclose(run.states[-1] / amplitude, right, rtol=1e-11)
+    assert run.n_steps < 600
+
+
+def test_the_period_of_the_smallest_swings_is_the_linear_one() -> None:
+    rng = np.random.default_rng(8)
+    for length, gravity in np.exp(rng.uniform(-12.0, 12.0, (500, 2))):
+        linear = LinearPendulum(length, gravity).period(1.0)
+        assert SimplePendulum(length, gravity).period(0.0) == linear
+        with mp.workdps(40):
+            right = 2 * pi * sqrt(mpf(length) / mpf(gravity))
+            assert abs(mpf(linear) - right) <= 0.5001 * mpf(np.spacing(linear))
