@@ -123,12 +123,12 @@ def test_units_are_taken(made: Callable[[], Any], want: Any) -> None:
 
 def test_units_of_a_map_are_taken() -> None:
     asked = RODS, Q([-90, 90], "deg"), (Q(-1, "turn"), labelled(1.0, "rad")), (2, 2), Q(100, "ms")
-    flips = pendula.flip_map(*asked)
-    apart = pendula.divergence_map(*asked, separation=Q(1, "arcsec"))
+    times = pendula.flip_map(*asked)
+    growth = pendula.divergence_map(*asked, separation=Q(1, "arcsec"))
     assert (
-        flips.theta1.values.tolist() == [-degrees(45), degrees(45)] == apart.theta1.values.tolist()
+        times.theta1.values.tolist() == [-degrees(45), degrees(45)] == growth.theta1.values.tolist()
     )
-    assert flips.attrs["t_max"] == 0.1
+    assert times.attrs["t_max"] == 0.1
 
 
 def test_conversions_are_rounded_once() -> None:
@@ -140,6 +140,15 @@ def test_conversions_are_rounded_once() -> None:
 
 
 # ---- refused ----
+
+
+def flips() -> Any:
+    return pendula.flip_map(RODS, (-3, 3), (-3, 3), (4, 4), 2)
+
+
+def apart() -> Any:
+    return pendula.divergence_map(RODS, (-3, 3), (-3, 3), (2, 2), 1)
+
 
 REFUSED: list[tuple[Callable[[], Any], str]] = [
     (lambda: first(Q([57, 0], "deg")), "state must have omega in rad/s"),
@@ -196,6 +205,18 @@ REFUSED: list[tuple[Callable[[], Any], str]] = [
     (lambda: pendula.flip_map(RODS, MASKED, (-1, 1), (2, 2), 1), "theta1 must have no masked"),
     (lambda: pendula.flip_map(RODS, (-1, 1), Q([1, 2], "m"), (2, 2), 1), "theta2 must be in rad"),
     (lambda: pendula.flip_map(RODS, (-1, 1), (-1, 1), (2, 2), Q(1, "m")), "t_max must be in s"),
+    (lambda: pendula.flip_map(RODS, Q(5, "deg"), (-1, 1), (2, 2), 1), "theta1 must be a range (lo"),
+    (
+        lambda: pendula.flip_map(RODS, NUMPY.array(5.0), (-1, 1), (2, 2), 1),
+        "theta1 must be a range",
+    ),
+    (lambda: pendula.flip_map(RODS, (-1, 1), (-1, 1), NUMPY.array(2), 1), "shape must be two numb"),
+    (lambda: pendula.flip_map(RODS, (-1, 1), (-1, 1), Q([2, 2], "m"), 1), "shape must be a number"),
+    (lambda: first(xr.Dataset({"theta": 1.0})), "state must hold numbers, got"),
+    (lambda: first((xr.Dataset({"theta": 1.0}), 0.0)), "state must hold numbers, got"),
+    (lambda: pendula.plot.flip_map(flips(), limits=Q([1, 2], "m")), "limits must be in s"),
+    (lambda: pendula.plot.flip_map(flips(), limits=Q(1, "s")), "limits must be two times"),
+    (lambda: pendula.plot.divergence_map(apart(), limits=(MADE.masked, 1)), "limits must have no"),
     (lambda: pendula.sampling.Uniform(Q(1, "m"), 2), "low must be a number without a unit"),
     (lambda: work_precision(SIMPLE, START, Q(1, "m")), "t_max must be in s"),
     (lambda: pendula.analysis.linear_model_error(MASKED), "amplitude must have no masked"),

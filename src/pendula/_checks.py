@@ -73,6 +73,17 @@ def positive_number(name: str, value: object, unit: str = "", *, zero: bool = Fa
     return found
 
 
+def number_pair(name: str, value: object, rule: str, unit: str) -> tuple[float, float]:
+    """`value` as two finite floats; `rule` says what it must be, otherwise."""
+    try:
+        pair: tuple[Any, ...] = tuple(value)  # type: ignore[arg-type]
+    except TypeError:
+        pair = (value,)
+    if len(pair) != 2:
+        raise ArgumentError(name, f"{rule}, got {{value}}", value=value)
+    return finite_number(name, pair[0], unit), finite_number(name, pair[1], unit)
+
+
 def numbers_array(name: str, value: ArrayLike, unit: Units = "") -> Array:
     """`value` as a contiguous array of doubles, a copy that its owner cannot change.
 

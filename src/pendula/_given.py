@@ -30,7 +30,7 @@ def plain(name: str, value: Any, units: Units) -> Any:
 
     Raises:
         ArgumentError: for a unit of another kind, or an element that is masked.
-        TypeError: for truth values.
+        TypeError: for truth values, or several arrays in one.
     """
     if _is_plain(value):
         return value
@@ -77,7 +77,10 @@ def _parts(value: Any) -> tuple[Any, str | None]:
     """Numbers and unit of what is made of both; the value itself and None for what is not."""
     attributes = getattr(value, "attrs", None)
     if isinstance(attributes, Mapping):  # xarray, pandas, h5py
-        inner = value.data if type(value).__module__.startswith("xarray") else _array(value)
+        of_xarray = type(value).__module__.startswith("xarray")
+        inner = getattr(value, "data", None) if of_xarray else _array(value)
+        if inner is None:  # a Dataset: several arrays
+            raise TypeError("no array")
         if _parts(inner)[1] is not None:  # pint-xarray
             return inner, None
         return inner, _text(attributes.get("units"))
