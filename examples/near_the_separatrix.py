@@ -15,7 +15,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from pendula import SimplePendulum, exact
+from pendula import SimplePendulum, degrees, exact
 
 try:
     from mpmath import mp, mpf
@@ -24,7 +24,7 @@ except ImportError as lacking:
     sys.exit(f"near_the_separatrix.py compares with {lacking.name}: pip install mpmath scipy")
 
 PENDULUM = SimplePendulum(length=9.80665)  # its ωn is exactly 1 rad/s, so that no error is its own
-HIGH, LOW = np.radians(179.999), np.radians(150)
+HIGH, LOW = degrees(179.999), degrees(150)
 SCIPY, PENDULA, GREY = "#d55e00", "#009e73", "#6b737c"
 
 

@@ -2,9 +2,9 @@
 
 import numpy as np
 
-from pendula import SimplePendulum, exact, methods, solve
+from pendula import SimplePendulum, degrees, exact, methods, solve
 
-pendulum, start, end = SimplePendulum(length=0.5), (np.radians(150), 0.0), 1.0
+pendulum, start, end = SimplePendulum(length=0.5), (degrees(150), 0.0), 1.0
 truth = exact(pendulum, start, end).theta[-1]
 steps = [2.0**-n for n in range(3, 12)]
 for method in (each for each in methods() if not each.adaptive):

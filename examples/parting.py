@@ -13,13 +13,13 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from pendula import DoublePendulum, Trajectory, solve
+from pendula import DoublePendulum, Trajectory, degrees, solve
 from pendula.analysis import angle_difference, parting_time
 
 COLOURS = {"reference": "#c9ced4", "rk4": "#009e73", "heun": "#0072b2", "euler": "#d55e00"}
 NAMES = {"euler": "Euler", "heun": "Heun", "rk4": "RK4"}
 SHOWN = 12.0  # s, the moment on the left
-TOLERANCE = np.radians(1.0)
+TOLERANCE = degrees(1.0)
 
 
 def draw_moment(ax: Axes, runs: dict[str, Trajectory]) -> None:
@@ -58,7 +58,7 @@ def draw_differences(ax: Axes, runs: dict[str, Trajectory]) -> None:
 
 def main(path: str) -> None:
     """Run the pendulums and draw both panels."""
-    rods, start = DoublePendulum.rods(), (np.radians(120), np.radians(-10), 0.0, 0.0)
+    rods, start = DoublePendulum.rods(), (degrees(120), degrees(-10), 0.0, 0.0)
     t = np.arange(2001) / 100
     runs = {"reference": solve(rods, start, t, "rk4", step=1e-4)}
     runs |= {method: solve(rods, start, t, method, step=1e-3) for method in NAMES}

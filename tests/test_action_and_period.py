@@ -36,6 +36,7 @@ def action_by_quadrature(system: SimplePendulum, theta: float, omega: float) -> 
         return float(4 * inertia * speed / (2 * mp.pi))
 
 
+@pytest.mark.filterwarnings("ignore::pendula.DegreesWarning")
 @pytest.mark.parametrize(
     "state",
     [

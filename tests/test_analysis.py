@@ -129,7 +129,7 @@ def test_parting_time(difference: list[float], expected: float) -> None:
 
 
 def test_parting_time_refuses_a_tolerance_of_zero() -> None:
-    with pytest.raises(ValueError, match="tolerance must be positive, got 0"):
+    with pytest.raises(ValueError, match=r"tolerance must be positive \[rad\], got 0"):
         parting_time([0.0], [0.0], 0)
 
 

@@ -132,7 +132,7 @@ def test_the_linear_period_does_not_depend_on_the_amplitude(call: Call) -> None:
 
 def test_a_saved_run_is_the_run(call: Call) -> None:
     line = (
-        "solve double --bobs --m1 2kg --l2 50cm --theta1 1rad --theta2 -10deg --omega2 -1 "
+        "solve double --bobs --m1 2kg --l2 50cm --theta1 1rad --theta2 -10deg --omega2 -1rad/s "
         "--method heun --step 10ms --t-max 2s -o run.csv"
     )
     code, printed, told = call(line)

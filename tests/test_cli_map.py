@@ -40,8 +40,8 @@ def test_the_file_holds_the_map(call: Call, ending: str) -> None:
 
 def test_every_option_of_a_flip_map(call: Call) -> None:
     line = (
-        "map flip double --bobs --m2 300g --l1 50cm --theta1=1:2 --theta2 -1pi:90deg --size 5 "
-        "--t-max 0.1min --which 2 --tolerance 1e-6 --no-resolve --threads 2 -o flips.zarr"
+        "map flip double --bobs --m2 300g --l1 50cm --theta1=1rad:2rad --theta2 -1pi:90deg "
+        "--size 5 --t-max 0.1min --which 2 --tolerance 1e-6 --no-resolve --threads 2 -o flips.zarr"
     )
     assert call(line)[0] == 0
     system = DoublePendulum.bobs(m2=0.3, l1=0.5)
@@ -149,8 +149,8 @@ def test_a_picture_in_the_way_of_going_on(call: Call) -> None:
         (f"{FLIP} --size many", "--size must be cells such as 500x500"),
         (f"{FLIP} --theta1 1", "--theta1 must be a range such as -180deg:180deg, got '1'"),
         (f"{FLIP} --theta1 1:2:3", "--theta1 must be a range such as"),
-        (f"{FLIP} --theta1 -90:90deg", "--theta1 needs the unit at both ends"),
-        (f"{FLIP} --theta2 2:1", "--theta2 must be a range (lo, hi) with lo < hi [rad]"),
+        (f"{FLIP} --theta1 -90:90deg", "--theta1 needs a unit, got '-90'; write -90deg or -90rad"),
+        (f"{FLIP} --theta2 2rad:1rad", "--theta2 must be a range (lo, hi) with lo < hi [rad]"),
         (f"{FLIP} --theta2 1s:2s", "--theta2"),
         (f"{FLIP} --t-max 0s", "--t-max must be positive [s], got 0.0"),
         (f"{FLIP} --t-max soon", "--t-max"),
@@ -166,7 +166,7 @@ def test_a_picture_in_the_way_of_going_on(call: Call) -> None:
         (f"{FLIP} -o flips.csv", "--output must end in .zarr or .nc, got 'flips.csv'"),
         (f"{FLIP} -o no/flips.zarr", "is not a folder; make it first"),
         (f"{FLIP} -o no/flips.nc", "is not a folder; make it first"),
-        (f"{FLIP} --theta1=-180:180", "--theta1 needs the unit at both ends, such as -180deg"),
+        (f"{FLIP} --theta1=-180:180", "--theta1 needs a unit, got '-180'; write -180deg"),
         (f"{FLIP} --picture flips.gif", "--picture must end in one of .png, .svg, .pdf"),
         (f"{FLIP} --resume", "--resume needs a .zarr store"),
         (f"{FLIP} --resume -o flips.nc", "--resume needs a .zarr store"),

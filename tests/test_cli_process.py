@@ -52,7 +52,7 @@ def test_methods_and_errors_load_no_numpy() -> None:
     [
         "solve double --method rk4 --step 1e-8 --t-max 1000s --every 1s -o x.csv",
         "solve double --t-max 1e12s --every 1e11s -o x.csv",
-        "solve simple --t-max 1e6s --every 1e6s --certify 1 -o x.csv",
+        "solve simple --t-max 1e6s --every 1e6s --certify 1rad -o x.csv",
         "solve double --t-max 500s --every 500s --digits 12 -o x.csv",
     ],
 )
@@ -105,7 +105,7 @@ def test_a_curve_is_drawn_where_it_can_be_printed(encoding: str, drawn: bool) ->
         ("solve simple --lenght 1", "2>&-", 2),
         ("solve simple --t-max 1s --step 1ms --method rk4 -o x.csv", ">&- 2>&-", 0),
         ("solve simple --t-max 12s --step 1us --every 1s --method rk4 -o x.csv", "2>&-", 0),
-        ("solve simple --t-max 12s --every 1s --certify 1e-9 -o x.csv", "2>&-", 0),
+        ("solve simple --t-max 12s --every 1s --certify 1e-9rad -o x.csv", "2>&-", 0),
     ],
 )
 def test_a_closed_stream_is_no_error(line: str, closed: str, code: int, tmp_path: Path) -> None:
@@ -130,6 +130,6 @@ def test_curves_fit_the_terminal(columns: str, width: int) -> None:
 
 
 def test_numbers_beyond_all_bounds_bring_no_warnings() -> None:
-    line = "solve linear --theta 1e300 --t-max 1s --step 1ms --method rk4"
+    line = "solve linear --theta 1e300rad --t-max 1s --step 1ms --method rk4"
     process = subprocess.run([*COMMAND, *line.split()], capture_output=True, check=True)
     assert process.stderr == b""

@@ -119,7 +119,7 @@ def test_an_event_is_read_and_told_in_words(words: str, event: Any) -> None:
     assert event_of(words_of(event)) == event
 
 
-@pytest.mark.parametrize("given", ["1e-9", "1e-9rad", "'1e-9 rad'"])
+@pytest.mark.parametrize("given", ["1nrad", "1e-9rad", "'1e-9 rad'"])
 def test_certify_says_until_when(given: str, call: Call) -> None:
     lines = call(f"solve double --t-max 60s --every 20s --certify {given} -o run.csv")
     assert lines[0].startswith("run.csv: 4 times; taylor")

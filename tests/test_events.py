@@ -64,6 +64,7 @@ def test_the_state_of_an_event_is_that_of_the_motion() -> None:
         assert omega == pytest.approx(float(truth_of(SWING, t).omega), rel=1e-12)
 
 
+@pytest.mark.filterwarnings("ignore::pendula.DegreesWarning")
 def test_a_rotation_passes_its_turns_when_the_closed_form_does() -> None:
     asked = angle(1, 1.0, every_turn=True), flip(1), angle(1, 7.0)
     turning, flips, alone = found(SIMPLE, TURN, 5.0, *asked)

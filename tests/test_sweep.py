@@ -56,7 +56,7 @@ I2 = "0.1 kg m^2"
 [run]
 t_max = "1 s"
 every = "0.5 s"
-certify = 1e-9
+certify = "1e-9 rad"
 draws = 3
 """
 

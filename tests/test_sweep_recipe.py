@@ -32,7 +32,7 @@ method = "taylor"
 t_max = "30 s"
 every = "0.1 s"
 tolerance = 1e-10
-certify = 1e-6
+certify = "1e-6 rad"
 draws = 100000
 seed = 1
 chunk = 500
@@ -170,7 +170,7 @@ def test_the_old_name_of_the_end_is_read(tmp_path: Path) -> None:
 
 
 def test_an_angle_to_be_certain_of_may_have_a_unit(tmp_path: Path) -> None:
-    recipe = _read(tmp_path, RANDOM.replace("certify = 1e-6", 'certify = "1 mrad"'))
+    recipe = _read(tmp_path, RANDOM.replace('certify = "1e-6 rad"', 'certify = "1 mrad"'))
     assert recipe.certify == 1e-3
 
 
@@ -258,7 +258,7 @@ def _double(system: str = "", state: str = "", run: str = 't_max = "1 s"') -> st
         (_double(run='t_max = "1 s"\ntolerance = 1.0'), 8, "tolerance must lie between"),
         (_double(run='t_max = "1 s"\ntolerance = "tight"'), 8, "tolerance must be a number"),
         (_double(run='t_max = "1e300 s"'), 7, "run.t_max must be small enough to tell times apart"),
-        (_double(run='t_max = "1 s"\ncertify = 2'), 8, "certify must be an angle of at most 1 rad"),
+        (_double(run='t_max = "1 s"\ncertify = "2 rad"'), 8, "certify must be an angle of at most"),
         (_double(run='t_max = "1 s"\ncertify = "1 s"'), 8, "run.certify must be in rad"),
         (_double(run='t_max = "1 s"\nmax_steps = 0'), 8, "run.max_steps must be a whole number"),
         (_double(run='t_max = "1 s"\nchunk = 0'), 8, "run.chunk must be a whole number from 1"),

@@ -12,7 +12,8 @@ import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
-from pendula.units import EVERYDAY, PI, looked_up, quantities, quantity
+from pendula._unit_names import EVERYDAY, PI, UnknownUnitError, looked_up
+from pendula.units import quantities, quantity
 
 finite = st.floats(allow_nan=False, allow_infinity=False)
 
@@ -54,7 +55,32 @@ finite = st.floats(allow_nan=False, allow_infinity=False)
         ("0.5π rad", "rad", math.pi / 2),
         ("-10deg", "rad", -float(PI / 18)),
         ("−10°", "rad", -float(PI / 18)),
-        ("+1", "rad/s", 1.0),
+        ("+1 rad/s", "rad/s", 1.0),
+        ("-0", "rad", 0.0),
+        ("0e5", "rad/s", 0.0),
+        ("30 grados", "rad", float(PI / 6)),
+        ("30 Grados", "rad", float(PI / 6)),
+        ("2 rads", "rad", 2.0),
+        ("2 radianes", "rad", 2.0),
+        ("1 radián", "rad", 1.0),
+        ("1 radia\u0301n", "rad", 1.0),
+        ("0.5 vueltas", "rad", math.pi),
+        ("1 rev", "rad", math.tau),
+        ("200 gon", "rad", math.pi),
+        ("100 gradianes", "rad", math.pi / 2),
+        ("10800 arcmin", "rad", math.pi),
+        ("648000arcsec", "rad", math.pi),
+        ("5 mrad", "rad", 0.005),
+        ("5 µrad", "rad", 5e-6),
+        ("90 grados/s", "rad/s", math.pi / 2),
+        ("1 vuelta/min", "rad/s", float(PI / 30)),
+        ("2 segundos", "s", 2.0),
+        ("3 minutes", "s", 180.0),
+        ("5 metros", "m", 5.0),
+        ("3 1/s", "1/s", 3.0),
+        ("3/s", "1/s", 3.0),
+        ("3 s^-1", "1/s", 3.0),
+        ("3 1/min", "1/s", 0.05),
         ("180 °/s", "rad/s", math.pi),
         ("30 rpm", "rad/s", math.pi),
         ("3", "", 3.0),
@@ -71,6 +97,21 @@ def test_usual_spellings_have_their_value_to_the_last_bit(
 @pytest.mark.parametrize(
     ("text", "unit", "told"),
     [
+        ("150", "rad", "--x needs a unit, got '150'; write 150deg or 150rad"),
+        ("-1e-3", "rad", "--x needs a unit, got '-1e-3'; write -1e-3deg or -1e-3rad"),
+        ("90", "rad/s", "--x needs a unit, got '90'; write 90deg/s or 90rad/s"),
+        ("0,5", "rad", "--x: write 0.5deg; a comma"),
+        ("30 Grad", "rad", "--x must be in deg or gon: Grad can mean either, got '30 Grad'"),
+        ("30grad", "rad", "--x must be in deg or gon: grad can mean either"),
+        ("30 Grad/s", "rad/s", "--x must be in deg or gon: Grad can mean either"),
+        ("30 Mrad", "rad", "--x has the unknown unit 'Mrad'"),
+        ("30 krad/s", "rad/s", "--x has the unknown unit 'krad'"),
+        ("30 kdeg", "rad", "--x has the unknown unit 'kdeg'"),
+        ("30 gigaradian", "rad", "--x has the unknown unit 'gigaradian'"),
+        ("1 kiloturn", "rad", "--x has the unknown unit 'kiloturn'"),
+        ("30 grado centigrado", "rad", "--x has the unknown unit 'centigrado'"),
+        ("3 1/s", "rad/s", "--x must be in rad/s or a unit of the same kind, got '3 1/s'"),
+        ("3 m", "1/s", "--x must be in 1/s or a unit of the same kind, got '3 m'; write 0.5/s"),
         ("0,5m", "m", "--x: write 0.5m; a comma separates entries of a list"),
         ("-0,5", "m", "--x: write -0.5; a comma"),
         ("1s,2s", "s", "--x takes one value, got '1s,2s'"),
@@ -116,7 +157,8 @@ def test_what_is_no_quantity_is_told_in_one_line(text: str, unit: str, told: str
     [
         ("30deg,60deg", [float(PI / 6), float(PI / 3)]),
         ("1rad, 180°", [1.0, math.pi]),
-        ("0.5", [0.5]),
+        ("0.5rad", [0.5]),
+        ("0", [0.0]),
     ],
 )
 def test_entries_of_a_list_carry_their_units(text: str, values: list[float]) -> None:
@@ -129,7 +171,9 @@ def test_entries_of_a_list_carry_their_units(text: str, values: list[float]) -> 
         ("30,60deg", "'30' in the list '30,60deg' has no unit, each entry carries its own"),
         ("30,60deg", "write 30deg,60deg, or 30.60deg for one value with a decimal point"),
         ("0,5rad", "or 0.5rad for one value with a decimal point"),
-        ("0,5", "write 0rad,5rad, or 0.5 for one value with a decimal point"),
+        ("0,5", "write 0deg,5deg, or 0.5deg for one value with a decimal point"),
+        ("0,30deg", "'0' in the list '0,30deg' has no unit"),
+        ("30", "needs a unit, got '30'; write 30deg or 30rad"),
         ("30deg,60", "write 30deg,60deg"),
         ("1,2,3deg", "write 1deg,2deg,3deg"),
         ("1rad,,2rad", "has an empty entry between commas"),
@@ -147,10 +191,24 @@ def test_plain_numbers_need_no_unit_in_a_list() -> None:
     assert quantities("1,2.5", "", "--x") == [1.0, 2.5]
 
 
-@pytest.mark.parametrize("name", [name for name in EVERYDAY if name != "º"])
+FIRST = {each: name for name, each in reversed(EVERYDAY.items())}  # of the names of one unit
+
+
+@pytest.mark.parametrize("name", FIRST.values())
 def test_the_everyday_units_are_those_of_pint(name: str) -> None:
     factor, base = EVERYDAY[name]
     assert looked_up(name) == (factor, {base: 1})
+
+
+@pytest.mark.parametrize("name", EVERYDAY)
+def test_pint_knows_no_other_unit_of_that_name(name: str) -> None:
+    """But for the rad of doses, in the plural, which is no angle."""
+    factor, base = EVERYDAY[name]
+    try:
+        known = looked_up(name)
+    except UnknownUnitError:
+        return
+    assert known == (factor, {base: 1}) or name == "rads"
 
 
 def test_pi_has_fifty_decimals() -> None:
@@ -161,10 +219,11 @@ def test_pi_has_fifty_decimals() -> None:
 @given(finite, st.sampled_from(["m", "s", "rad", "rad/s", "kg", "m/s^2", "kg m^2", ""]))
 def test_a_printed_number_comes_back(value: float, unit: str) -> None:
     assert quantity(f"{value!r} {unit}", unit, "--x") == value
-    assert quantity(repr(value), unit, "--x") == value
+    if "rad" not in unit:
+        assert quantity(repr(value), unit, "--x") == value
 
 
-@given(finite, st.sampled_from(sorted(EVERYDAY)))
+@given(finite, st.sampled_from(sorted(n for n in EVERYDAY if EVERYDAY[n][1] != "rad")))
 def test_the_value_is_rounded_once(value: float, name: str) -> None:
     factor, unit = EVERYDAY[name]
     exact = Fraction(repr(value)) * factor
@@ -199,3 +258,11 @@ def test_a_decimal_point_is_offered_only_after_a_bare_number() -> None:
     with pytest.raises(ValueError, match="write 30deg,60deg") as error:
         quantities("30deg,60", "rad", "--x")
     assert "decimal" not in str(error.value)
+
+
+@given(finite, st.sampled_from(["deg", "grados", "turn", "gon", "arcmin"]))
+def test_an_angle_of_a_number_is_that_of_its_double(value: float, name: str) -> None:
+    """So "119.7deg" is `pendula.degrees(119.7)`, though 119.7 has no double of its own."""
+    exact = Fraction(value) * EVERYDAY[name][0]
+    assume(value == 0.0 or 1e-300 < abs(exact) < 1e300)
+    assert quantity(f"{value!r}{name}", "rad", "--x") == float(exact)

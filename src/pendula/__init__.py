@@ -14,6 +14,7 @@ from pendula._version import __version__ as __version__
 # Where each public name lives. The first use of any of them imports all that a run needs: no run
 # waits. The command line imports the modules by themselves, as its help has to be there at once.
 _HOMES = {
+    "_angles": ("DegreesWarning", "degrees"),
     "systems": ("DoublePendulum", "LinearPendulum", "SimplePendulum"),
     "run.exact": ("action", "exact", "time_at"),
     "run.sections": ("poincare_section",),
@@ -46,6 +47,7 @@ promise("Trajectory", "pendula.plot", "plot")
 
 if TYPE_CHECKING:
     from pendula import elliptic, events
+    from pendula._angles import DegreesWarning, degrees
     from pendula.io import load, rerun
     from pendula.many.ensembles import Ensemble, ensemble
     from pendula.many.maps import divergence_map, flip_map
@@ -57,12 +59,14 @@ if TYPE_CHECKING:
     from pendula.systems import DoublePendulum, LinearPendulum, SimplePendulum
 
 __all__ = [
+    "DegreesWarning",
     "DoublePendulum",
     "Ensemble",
     "LinearPendulum",
     "SimplePendulum",
     "Trajectory",
     "action",
+    "degrees",
     "divergence_map",
     "elliptic",
     "ensemble",

@@ -7,13 +7,15 @@ import math
 import operator
 from typing import TYPE_CHECKING, Any
 
+from pendula._given import plain
 from pendula._messages import ArgumentError
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable
+    from collections.abc import Iterable, Mapping
 
     from numpy.typing import ArrayLike
 
+    from pendula._given import Units
     from pendula._types import Array
 
 MOST_THREADS = 1024
@@ -36,13 +38,17 @@ def extra(module: str, name: str) -> Any:
 
 
 def number(name: str, value: object, unit: str = "") -> float:
-    """`value` as a float, finite or not."""
+    """`value` as a float, finite or not; where it carries a unit, converted to this one."""
     try:
-        if isinstance(value, str | bytes | bool):
+        given = plain(name, value, unit)
+        kind = getattr(getattr(given, "dtype", None), "kind", "f")
+        if isinstance(given, str | bytes) or kind not in "iuf" or getattr(given, "ndim", 0) != 0:
             raise TypeError
-        return float(value)  # type: ignore[arg-type]
+        return float(given)
     except OverflowError:
         return math.inf
+    except ArgumentError:
+        raise
     except (TypeError, ValueError):
         raise ArgumentError(
             name, "must be a number{in_unit}, got {value}", value=value, unit=unit
@@ -67,18 +73,35 @@ def positive_number(name: str, value: object, unit: str = "", *, zero: bool = Fa
     return found
 
 
-def numbers_array(name: str, value: ArrayLike, unit: str = "") -> Array:
-    """`value` as a contiguous array of doubles, a copy that its owner cannot change."""
+def number_pair(name: str, value: object, rule: str, unit: str) -> tuple[float, float]:
+    """`value` as two finite floats; `rule` says what it must be, otherwise."""
+    try:
+        pair: tuple[Any, ...] = tuple(value)  # type: ignore[arg-type]
+    except TypeError:
+        pair = (value,)
+    if len(pair) != 2:
+        raise ArgumentError(name, f"{rule}, got {{value}}", value=value)
+    return finite_number(name, pair[0], unit), finite_number(name, pair[1], unit)
+
+
+def numbers_array(name: str, value: ArrayLike, unit: Units = "") -> Array:
+    """`value` as a contiguous array of doubles, a copy that its owner cannot change.
+
+    Where it carries a unit it is converted to this one; `unit` may be that of each component.
+    """
     import numpy as np
 
     try:
-        array = np.array(value, order="C")
+        array = np.array(plain(name, value, unit), order="C")
         if array.dtype.kind not in "iuf" and array.size:
             raise TypeError
         return array.astype(np.float64, copy=False)
+    except ArgumentError:
+        raise
     except (OverflowError, TypeError, ValueError):
         rule = "must hold numbers{in_unit}, got {value}"
-        raise ArgumentError(name, rule, value=value, unit=unit) from None
+        one = unit if isinstance(unit, str) else ""
+        raise ArgumentError(name, rule, value=value, unit=one) from None
 
 
 def finite_array(name: str, value: ArrayLike, unit: str = "") -> Array:
@@ -101,11 +124,29 @@ def check_finite(name: str, array: Array, unit: str = "") -> None:
         raise ArgumentError(name, rule, value=float(array[place]), unit=unit)
 
 
+def broadcast_shape(**shapes: tuple[int, ...]) -> tuple[int, ...]:
+    """The shape that arguments of these shapes have together."""
+    import numpy as np
+
+    try:
+        return np.broadcast_shapes(*shapes.values())
+    except ValueError:
+        first, *others = shapes
+        given = ", ".join(f"{name} {shape}" for name, shape in shapes.items())
+        rule = "must have a shape that goes with that of {other}, got {text}"
+        raise ArgumentError(first, rule, other=" and ".join(others), text=given) from None
+
+
 def states_array(
-    value: ArrayLike, components: tuple[str, ...], *, finite: bool = True, name: str = "state"
+    value: ArrayLike, components: Mapping[str, str], *, finite: bool = True, name: str = "state"
 ) -> Array:
-    """`value` as states of shape (..., d), finite unless the caller checks that."""
-    states = (finite_array if finite else numbers_array)(name, value)
+    """`value` as states of shape (..., d), finite unless the caller checks that.
+
+    `components` gives the unit of each by its name.
+    """
+    states = numbers_array(name, value, components)
+    if finite:
+        check_finite(name, states)
     if states.ndim == 0 or states.shape[-1] != len(components):
         raise ArgumentError(
             name,
@@ -119,9 +160,7 @@ def states_array(
 def whole(name: str, value: object, unit: str = "") -> int:
     """`value` as an int of any size."""
     try:
-        if isinstance(value, bool):
-            raise TypeError
-        return operator.index(value)  # type: ignore[arg-type]
+        return operator.index(plain(name, value, ""))
     except TypeError:
         rule = "must be a whole number of at least 1, got {value}"
         raise ArgumentError(name, rule, value=value) from None

@@ -15,6 +15,7 @@ _PLACES = re.compile(r"<([\w{}]+)(?:=([^<>]*))?>|\{(\w+)\}")
 _BRACES = re.compile(r"\{(\w+)\}")
 # details shown without quotes
 _PLAIN = ("choices", "place", "constant", "system", "form", "other", "text", "path")
+_LONGEST = 200  # characters of a value
 _JOINED = {"choices": ", ", "any_of": " or "}
 
 
@@ -39,7 +40,7 @@ class Naming:
             return _JOINED[name].join(map(str, value))
         if isinstance(value, float) and name not in ("value", "t0", "span"):
             return f"{value:g}"
-        return str(value) if name in _PLAIN else repr(value)
+        return str(value) if name in _PLAIN else _one_line(repr(value))
 
 
 PYTHON = Naming()
@@ -99,6 +100,12 @@ class ArgumentError(ValueError):
     def argument(self) -> str:
         """Name of the argument."""
         return self.message.argument
+
+
+def _one_line(text: str) -> str:
+    """The text in one line, shortened: arrays have many."""
+    line = " ".join(text.split()) if "\n" in text else text
+    return line if len(line) <= _LONGEST else f"{line[:_LONGEST]}…"
 
 
 def message_of(error: BaseException) -> str:

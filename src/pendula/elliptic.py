@@ -9,10 +9,10 @@ docs/en/exact.md.
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple, cast
 
 from pendula import _engine
-from pendula._checks import whole_number
+from pendula._checks import broadcast_shape, numbers_array, whole_number
 from pendula._messages import ArgumentError
 
 if TYPE_CHECKING:
@@ -62,7 +62,8 @@ def F(phi: ArrayLike, k: ArrayLike | None = None, *, kc: ArrayLike | None = None
     """Incomplete elliptic integral of the first kind, by Carlson's R_F (DLMF 19.25.5).
 
     Args:
-        phi: amplitude, any real number [rad]; for k > 1 within [-π/2, π/2], with k |sin phi| ≤ 1.
+        phi: amplitude, any real number [rad]; for k > 1 within ±arcsin(1/k), or beyond by no more
+            than an arcsine of doubles may be, which gives F there.
         k: modulus, k ≥ 0.
         kc: complementary modulus, instead of k.
 
@@ -75,9 +76,14 @@ def F(phi: ArrayLike, k: ArrayLike | None = None, *, kc: ArrayLike | None = None
     """
     import numpy as np
 
-    result = _over(_engine.elliptic_F, modulus := _modulus(k, kc, math.inf), phi)
-    angles, moduli = np.broadcast_arrays(np.asarray(phi, dtype=np.float64), modulus.values)
-    complex_ones = np.isnan(result) & ~np.isnan(angles) & ~np.isnan(moduli)
+    modulus, amplitude = _modulus(k, kc, math.inf), numbers_array("phi", phi, "rad")
+    result = _over(_engine.elliptic_F, modulus, phi=amplitude)
+    angles, moduli = np.broadcast_arrays(amplitude, modulus.values)
+    lost = np.isnan(result) & ~np.isnan(angles) & ~np.isnan(moduli)
+    if lost.any():
+        result = np.where(lost, _at_limit(angles, moduli), result)
+        result = result if result.ndim else float(result)
+    complex_ones = np.isnan(result) & lost
     if complex_ones.any():
         where = int(complex_ones.argmax())
         raise ArgumentError(
@@ -139,6 +145,25 @@ def K_series(k: ArrayLike | None = None, terms: int = 0, *, kc: ArrayLike | None
     return _over(series, _modulus(k, kc, 1.0))
 
 
+def _at_limit(phi: Array, k: Array) -> Array:
+    """F where a modulus k > 1 has its largest amplitude, K(1/k)/k (DLMF 19.7.3); NaN beyond.
+
+    An amplitude is taken for the limit, arcsin(1/k), up to where the arcsine of doubles may lie:
+    half an ulp of 1/k, which the slope tan(limit) of the arcsine multiplies, and an ulp of its
+    own; both twice.
+    """
+    import numpy as np
+
+    known = np.where(k > 1.0, k, np.nan)
+    beyond = np.sqrt(known - 1.0) * np.sqrt(known + 1.0)
+    limit = np.arctan2(1.0, beyond)
+    rounding = 2.0 * (2.0**-53 / beyond + np.spacing(limit))
+    within = np.abs(phi) <= limit + rounding
+    moduli = np.where(within, beyond / known, 1.0)
+    complete = _engine.elliptic_K(np.ascontiguousarray(moduli).ravel(), True).reshape(k.shape)
+    return np.where(within, np.copysign(complete / known, phi), np.nan)
+
+
 class _Modulus(NamedTuple):
     name: str
     values: Array
@@ -152,13 +177,17 @@ def _modulus(k: ArrayLike | None, kc: ArrayLike | None, largest: float) -> _Modu
         raise ArgumentError(
             "", "give the modulus <k> or the complementary modulus kc=, one of the two"
         )
-    name, given, most = ("k", k, largest) if kc is None else ("kc", kc, 1.0)
-    modulus = _Modulus(name, np.asarray(given, dtype=np.float64))
+    if k is not None:
+        modulus, most = _Modulus("k", numbers_array("k", k)), largest
+    else:
+        modulus, most = _Modulus("kc", numbers_array("kc", cast("ArrayLike", kc))), 1.0
     outside = (modulus.values < 0.0) | (modulus.values > most) | np.isinf(modulus.values)
     if outside.any():
         value = float(modulus.values.flat[int(outside.argmax())])
         rule = f"lie within [0, {most:g}]" if most < math.inf else "be finite and not negative"
-        raise ArgumentError(name, f"must {rule}, got {{value}} (modulus, not m = k²)", value=value)
+        raise ArgumentError(
+            modulus.name, f"must {rule}, got {{value}} (modulus, not m = k²)", value=value
+        )
     return modulus
 
 
@@ -166,8 +195,9 @@ def _jacobi(u: ArrayLike, k: ArrayLike | None, kc: ArrayLike | None) -> Any:
     import numpy as np
 
     modulus = _modulus(k, kc, math.inf)
-    result = _over(_engine.jacobi, modulus, u)
-    arguments, moduli = np.broadcast_arrays(np.asarray(u, dtype=np.float64), modulus.values)
+    argument = numbers_array("u", u)
+    result = _over(_engine.jacobi, modulus, u=argument)
+    arguments, moduli = np.broadcast_arrays(argument, modulus.values)
     lost = np.isnan(result[0]) & ~np.isnan(arguments) & ~np.isnan(moduli)
     if lost.any():
         raise ArgumentError(
@@ -178,16 +208,16 @@ def _jacobi(u: ArrayLike, k: ArrayLike | None, kc: ArrayLike | None) -> Any:
     return result
 
 
-def _over(function: Callable[..., Any], modulus: _Modulus, *arguments: ArrayLike) -> Any:
+def _over(function: Callable[..., Any], modulus: _Modulus, **arguments: Array) -> Any:
     """Broadcast, call the core on flat arrays, and shape the result; floats for scalars."""
     import numpy as np
 
-    given = [np.asarray(each, dtype=np.float64) for each in arguments]
-    *given, moduli = np.broadcast_arrays(*given, modulus.values)
-    flat = (np.ascontiguousarray(each).ravel() for each in (*given, moduli))
+    given = {**arguments, modulus.name: modulus.values}
+    shape = broadcast_shape(**{name: each.shape for name, each in given.items()})
+    flat = (np.ascontiguousarray(np.broadcast_to(each, shape)).ravel() for each in given.values())
     result = function(*flat, modulus.name == "kc")
 
     def shaped(values: Array) -> Any:
-        return values.reshape(moduli.shape) if moduli.ndim else float(values[0])
+        return values.reshape(shape) if shape else float(values[0])
 
     return tuple(map(shaped, result)) if isinstance(result, tuple) else shaped(result)

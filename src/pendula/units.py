@@ -1,50 +1,29 @@
 """Quantities as people write them, read as SI numbers: "50 cm" is 0.5, "30deg" is π/6.
 
-Values are rounded once. A number without a unit is in SI units. The everyday units are known here;
-any other is looked up with pint, which takes half a second to load. Nothing is evaluated: a
-quantity is one number and one unit.
+Values are rounded once; of π only after the number is a double, so that "119.7deg" is what
+`pendula.degrees` makes of 119.7. A number without a unit is in SI units, but that an angle needs
+one: radians are seldom what is meant. A quantity is one number and one unit.
 """
 
 from __future__ import annotations
 
 import difflib
 import re
+import unicodedata
 from fractions import Fraction
-from functools import cache
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from pendula._messages import ArgumentError
+from pendula._unit_names import EVERYDAY, PI, RuleError, UnknownUnitError, unit_of
 
 if TYPE_CHECKING:
-    import pint
+    from pendula._types import Array
 
-    Unit = tuple[Fraction, dict[str, int]]  # factor to SI, and the powers of m, kg, s, rad
-
-PI = Fraction("3.14159265358979323846264338327950288419716939937510")
-
-# Name → (factor, SI unit). A test holds each of them against pint.
-EVERYDAY: dict[str, tuple[Fraction, str]] = {
-    "m": (Fraction(1), "m"),
-    "cm": (Fraction(1, 100), "m"),
-    "mm": (Fraction(1, 1000), "m"),
-    "km": (Fraction(1000), "m"),
-    "s": (Fraction(1), "s"),
-    "ms": (Fraction(1, 1000), "s"),
-    "us": (Fraction(1, 10**6), "s"),
-    "min": (Fraction(60), "s"),
-    "h": (Fraction(3600), "s"),
-    "kg": (Fraction(1), "kg"),
-    "g": (Fraction(1, 1000), "kg"),
-    "rad": (Fraction(1), "rad"),
-    "deg": (PI / 180, "rad"),
-    "°": (PI / 180, "rad"),
-    "º": (PI / 180, "rad"),  # the ordinal sign, which Spanish keyboards have in its place
-    "degree": (PI / 180, "rad"),
-    "degrees": (PI / 180, "rad"),
-    "turn": (2 * PI, "rad"),
-    "turns": (2 * PI, "rad"),
-}
-_OTHERS = ("meter", "second", "minute", "hour", "gram", "kilogram", "radian", "inch", "ft", "rpm")
+_OTHERS = (  # that a misspelt one may be, beside the everyday ones
+    ("inch", "m"),
+    ("ft", "m"),
+    ("rpm", "rad/s"),
+)
 _EXAMPLES = {
     "m": ("50", "cm"),
     "s": ("10", "ms"),
@@ -56,7 +35,6 @@ _EXAMPLES = {
     "": ("0.5", ""),
 }
 _EXAMPLE = "write {text}, say"
-_PINT_BASES = {"meter": "m", "gram": "kg", "second": "s", "radian": "rad"}
 
 _LONGEST = 100  # characters
 _PLAIN_SIGNS = str.maketrans("−⁻¹²³⁴⁵⁶⁷⁸⁹", "--123456789")
@@ -67,16 +45,16 @@ _NUMBER = re.compile(
 )
 _NOT_FINITE = re.compile(r"[-+]?(nan|inf|infinity)\b", re.IGNORECASE)
 _DECIMAL_COMMA = re.compile(r"[^,.]*[0-9],[0-9][^,.]*")
-_FACTOR = re.compile(
-    r"(?P<sign>\s*[*·⋅/]\s*|\s+|^)(?P<name>[^\W\d]+|°)(?:\s*(?:\^|\*\*)\s*)?(?P<power>[-+]?[1-9])?"
-)
+_SPLIT = 2.0**27 + 1.0  # halves the digits of a double (Veltkamp 1968)
+_SMALLEST = 1e-290  # below it a product's rounding error has no double
 
 
 def quantity(text: str, unit: str, name: str) -> float:
     """One quantity in SI units, correctly rounded.
 
     Args:
-        text: a number and a unit, such as "50 cm", "9.81 m/s²" or "-10°"; a bare number is in SI.
+        text: a number and a unit, such as "50 cm", "9.81 m/s²" or "-10°"; a bare number is in SI,
+            and no angle, unless it is 0.
         unit: the SI unit, such as "m", "rad/s", "m/s^2" or "kg m^2"; "" for a plain number.
         name: what the message calls the value.
 
@@ -85,12 +63,12 @@ def quantity(text: str, unit: str, name: str) -> float:
     """
     if "," in text:
         if _DECIMAL_COMMA.fullmatch(text):
-            point = text.strip().replace(",", ".")
+            point = _with_unit(text.strip().replace(",", "."), unit)
             way_out = "a comma separates entries of a list"
             raise ArgumentError(name, ": write {text}", way_out, text=point)
         rule = "takes one value, got {value}"
         raise ArgumentError(name, rule, _EXAMPLE, value=_shortened(text), text=example_of(unit))
-    return _value(text, unit, name)
+    return float(_value(text, unit, name))
 
 
 def quantities(text: str, unit: str, name: str) -> list[float]:
@@ -98,6 +76,68 @@ def quantities(text: str, unit: str, name: str) -> list[float]:
 
     Arguments and errors as for `quantity`.
     """
+    return [float(each) for each in _values(text, unit, name)]
+
+
+def half_turns(text: str, name: str) -> list[Fraction]:
+    """A list of angles in half turns, before any rounding: "180deg" is 1, and "3.14rad" less.
+
+    Arguments and errors as for `quantities`.
+    """
+    return [each / PI for each in _values(text, "rad", name)]
+
+
+def conversion(written: str, unit: str) -> Fraction:
+    """What numbers in a unit that is written out have to be multiplied by for another.
+
+    Raises:
+        RuleError: for a unit of another kind.
+        UnknownUnitError: for a name that is no unit.
+    """
+    wanted = unit_of(unit)
+    factor, powers = unit_of(written.translate(_PLAIN_SIGNS))
+    if powers != wanted[1] and (powers or unit != "rad"):  # an arc over its radius is an angle
+        raise RuleError(_kind(unit))
+    return factor / wanted[0]
+
+
+def scaled(values: Array, factor: Fraction) -> Array:
+    """Products of doubles and a number, correctly rounded, in the shape of the doubles.
+
+    They are formed from two doubles of the factor without error (Dekker 1971); those that what is
+    left out could round otherwise (Ziv 1991), and the smallest, are rounded as fractions.
+    """
+    import numpy as np
+
+    if factor == 1:
+        return values
+    head = float(factor)
+    tail = float(factor - Fraction(head))
+    flat = np.ravel(values)
+    finite = np.isfinite(flat)
+    digits, powers = np.frexp(np.where(finite, flat, 0.0))
+    product = digits * head
+    (a, b), (c, d) = _halves(digits), _halves(head)
+    rest = ((a * c - product) + a * d + b * c) + b * d + digits * tail
+    margin = abs(product) * 2.0**-98  # some 2^-104 are left out
+    rounded = product + (rest - margin)
+    with np.errstate(over="ignore", under="ignore"):
+        result = np.ldexp(rounded, powers)
+    same = ~finite | (flat == 0.0)
+    unsure = (rounded != product + (rest + margin)) | (abs(result) < _SMALLEST)
+    for i in np.flatnonzero(unsure & ~same):
+        result[i] = float(Fraction(float(flat[i])) * factor)
+    result[same] = flat[same]
+    return np.asarray(result).reshape(np.shape(values))
+
+
+def _halves(x: Any) -> tuple[Any, Any]:
+    """Two doubles of half the digits whose sum it is (Veltkamp 1968)."""
+    high = _SPLIT * x - (_SPLIT * x - x)
+    return high, x - high
+
+
+def _values(text: str, unit: str, name: str) -> list[Fraction]:
     entries = [entry.strip() for entry in text.split(",")]
     if len(entries) > 1:
         _check_list(entries, text, unit, name)
@@ -113,13 +153,13 @@ def _check_list(entries: list[str], text: str, unit: str, name: str) -> None:
     bare = [entry for entry, each in zip(entries, found, strict=True) if each and not each["unit"]]
     if not bare or not unit:
         return
-    given = next((each["unit"] for each in found if each and each["unit"]), unit)
+    given = next((each["unit"] for each in found if each and each["unit"]), _likely(unit))
     each_its_own = ",".join(
         entry + (" rad" if "pi" in entry else given) if entry in bare else entry
         for entry in entries
     )
     halves = len(entries) == 2 and entries[0] in bare and entries[1][:1].isdigit()
-    one = ".".join(entries) if halves else ""
+    one = _with_unit(".".join(entries), unit) if halves else ""
     decimal = f", or {one} for one value with a decimal point" if one.count(".") == 1 else ""
     raise ArgumentError(
         name,
@@ -131,114 +171,96 @@ def _check_list(entries: list[str], text: str, unit: str, name: str) -> None:
     )
 
 
-def _value(text: str, unit: str, name: str) -> float:
+def _value(text: str, unit: str, name: str) -> Fraction:
     details = {"value": _shortened(text), "text": example_of(unit)}
     try:
-        return _read(text.strip().translate(_PLAIN_SIGNS), unit)
-    except _UnknownUnitError as unknown:
-        rule, way_out = "has the unknown unit {unknown} in {value}", _near(unknown.unit) or _EXAMPLE
+        return _read(unicodedata.normalize("NFC", text).strip().translate(_PLAIN_SIGNS), unit)
+    except UnknownUnitError as unknown:
+        rule, way_out = "has the unknown unit {unknown} in {value}", near(unknown.unit, unit)
+        way_out = way_out or _EXAMPLE
         raise ArgumentError(name, rule, way_out, unknown=unknown.unit, **details) from None
-    except _RuleError as broken:
+    except RuleError as broken:
         raise ArgumentError(name, f"must {broken}, got {{value}}", _EXAMPLE, **details) from None
+    except _BareAngleError:
+        written = text.strip()
+        details["text"] = " or ".join(written + each for each in (_likely(unit), unit))
+        raise ArgumentError(name, "needs a unit, got {value}", "write {text}", **details) from None
 
 
-def _read(text: str, unit: str) -> float:
+class _BareAngleError(Exception):
+    """An angle without a unit."""
+
+
+def _read(text: str, unit: str) -> Fraction:
     if not text or len(text) > _LONGEST:
-        raise _RuleError("be one quantity")
+        raise RuleError("be one quantity")
     if _NOT_FINITE.match(text):
-        raise _RuleError("be a finite number" + (f" [{unit}]" if unit else ""))
+        raise RuleError("be a finite number" + (f" [{unit}]" if unit else ""))
     found = _NUMBER.fullmatch(text)
     if not found:
-        raise _RuleError("begin with a number")
+        raise RuleError("begin with a number")
     return _converted(found, unit)
 
 
-class _RuleError(Exception):
-    """What a quantity must be."""
-
-
-class _UnknownUnitError(Exception):
-    """A name that is no unit."""
-
-    def __init__(self, unit: str) -> None:
-        super().__init__(unit)
-        self.unit = unit
-
-
-def _converted(found: re.Match[str], unit: str) -> float:
-    wanted = _unit(unit) if unit else (Fraction(1), {})
-    factor, powers = _unit(found["unit"]) if found["unit"] else wanted
+def _converted(found: re.Match[str], unit: str) -> Fraction:
+    wanted = unit_of(unit)
+    factor, powers = unit_of(found["unit"]) if found["unit"] else wanted
     if powers != wanted[1]:
-        what = f"in {unit} or a unit of the same kind" if unit else "a number without a unit"
-        raise _RuleError(f"be {what}")
+        raise RuleError(_kind(unit))
     nearly = float(found["number"])
     if nearly in (float("inf"), float("-inf")):
-        raise _RuleError("not be beyond the largest number")
+        raise RuleError("not be beyond the largest number")
+    if "rad" in powers and nearly and not found["unit"] and not found["pi"]:
+        raise _BareAngleError
     exact = Fraction(found["number"]) if nearly else Fraction(0)
     if found["pi"]:
         exact *= PI
+    elif _of_pi(factor):
+        exact = Fraction(nearly)
+    exact *= factor / wanted[0]
     try:
-        value = float(exact * factor / wanted[0])
+        value = float(exact)
     except OverflowError:
-        raise _RuleError("not be beyond the largest number") from None
+        raise RuleError("not be beyond the largest number") from None
     if value == 0.0 and found["number"].lower().partition("e")[0].strip("+-0."):
-        raise _RuleError("not be nearer to zero than the smallest number")
-    return value
+        raise RuleError("not be nearer to zero than the smallest number")
+    return exact
 
 
-@cache
-def _unit(text: str) -> Unit:
-    """A product of powers of named units: factor to SI, and the powers of the SI units."""
-    factor, powers, position = Fraction(1), dict[str, int](), 0
-    while position < len(text):
-        found = _FACTOR.match(text, position)
-        if not found:
-            raise _RuleError("be one number and one unit")
-        power = int(found["power"] or 1) * (-1 if "/" in found["sign"] else 1)
-        one, bases = _named(found["name"])
-        factor *= one**power
-        for base, exponent in bases.items():
-            powers[base] = powers.get(base, 0) + exponent * power
-        position = found.end()
-    return factor, {base: power for base, power in powers.items() if power}
+def _kind(unit: str) -> str:
+    return f"be in {unit} or a unit of the same kind" if unit else "be a number without a unit"
 
 
-def _named(name: str) -> Unit:
-    if name in EVERYDAY:
-        factor, base = EVERYDAY[name]
-        return factor, {base: 1}
-    return looked_up(name)
+def _of_pi(factor: Fraction) -> bool:
+    """Whether π is a part of it: in its own digits it is a short fraction then."""
+    return (factor / PI).denominator < PI.numerator
 
 
-def looked_up(name: str) -> Unit:
-    """A unit as pint knows it."""
-    try:
-        root = _registry().Quantity(Fraction(1), name).to_root_units()
-        powers = {_PINT_BASES.get(base, base): Fraction(str(n)) for base, n in root.unit_items()}
-    except Exception:  # pint raises what its parser stumbles over: AttributeError, TypeError, …
-        raise _UnknownUnitError(name) from None
-    if not powers or any(power.denominator != 1 for power in powers.values()):
-        raise _UnknownUnitError(name)  # percent, decibel, franklin: no length, angle or mass
-    whole = {base: power.numerator for base, power in powers.items()}
-    return root.magnitude * Fraction(1, 1000) ** whole.get("kg", 0), whole
+def _likely(unit: str) -> str:
+    """The unit that a number without one is likely meant in."""
+    return unit.replace("rad", "deg")
 
 
-@cache
-def _registry() -> pint.UnitRegistry[Fraction]:
-    import pint
+def _with_unit(text: str, unit: str) -> str:
+    """The text, with its likely unit where it needs one and has none."""
+    found = _NUMBER.fullmatch(text)
+    bare = found and not found["unit"] and not found["pi"]
+    return text + _likely(unit) if bare and "rad" in unit else text
 
-    return pint.UnitRegistry(non_int_type=Fraction)
 
-
-def _near(unknown: str) -> str:
-    close = difflib.get_close_matches(unknown.lower(), (*EVERYDAY, *_OTHERS), n=2)
+def near(unknown: str, unit: str) -> str:
+    """A question for the unit of that kind that was meant; empty where none is near."""
+    bases = re.findall(r"[a-z]+", unit)
+    known = [name for name, (_, base) in EVERYDAY.items() if base in bases]
+    known += [name for name, base in _OTHERS if base == unit]
+    close = difflib.get_close_matches(unknown.lower(), known, n=2)
     return f"did you mean {' or '.join(close)}?" if close else ""
 
 
 def example_of(unit: str, gap: str = "") -> str:
     """A quantity of that unit, as people write it, with this between number and unit."""
-    number, name = _EXAMPLES.get(unit, ("1", unit))
-    return f"{number}{gap}{name}"
+    number, name = _EXAMPLES.get(unit, ("0.5", unit.removeprefix("1")))
+    return f"{number}{'' if name.startswith('/') else gap}{name}"
 
 
 def _shortened(text: str) -> str:

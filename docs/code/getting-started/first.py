@@ -1,9 +1,9 @@
 import numpy as np
 
-from pendula import SimplePendulum, exact, solve
+from pendula import SimplePendulum, degrees, exact, solve
 
 pendulum = SimplePendulum(length=0.5)
-start = (np.radians(150), 0.0)  # angle [rad], angular velocity [rad/s] | ángulo [rad], velocidad angular [rad/s]
+start = (degrees(150), 0.0)  # angle [rad], angular velocity [rad/s] | ángulo [rad], velocidad angular [rad/s]
 t = np.linspace(0.0, 10.0, 101)
 
 truth = exact(pendulum, start, t)

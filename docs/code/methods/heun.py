@@ -1,7 +1,7 @@
 import numpy as np
-from pendula import SimplePendulum, exact, solve
+from pendula import SimplePendulum, degrees, exact, solve
 
-pendulum, start = SimplePendulum(length=0.5), (np.radians(150), 0.0)
+pendulum, start = SimplePendulum(length=0.5), (degrees(150), 0.0)
 t = np.linspace(0.0, 10.0, 101)
 truth = exact(pendulum, start, t).theta
 for step in (0.02, 0.01, 0.005):

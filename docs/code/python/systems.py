@@ -9,5 +9,5 @@ rulers = DoublePendulum.bodies(  # any two rigid bodies | dos cuerpos rígidos c
     m1=0.03, m2=0.03, l1=0.29, c1=0.145, c2=0.145, I1=2.4e-4, I2=2.4e-4
 )
 print(simple)
-print(simple.natural_frequency, simple.period(np.radians(150)))
+print(simple.natural_frequency, simple.period(pendula.degrees(150)))
 print(rods.normal_modes().frequencies)

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from pendula._checks import numbers_array
 from pendula._messages import ArgumentError
 
 if TYPE_CHECKING:
@@ -54,8 +55,8 @@ def convergence_order(
     Raises:
         ValueError: for lists of different lengths, or a step that is not positive.
     """
-    h = np.asarray(steps, dtype=np.float64)
-    e = np.asarray(errors, dtype=np.float64)
+    h = numbers_array("steps", steps, "s")
+    e = numbers_array("errors", errors, "rad")
     if h.ndim != 1 or h.shape != e.shape:
         raise ArgumentError(
             "",

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike
 
+from pendula._checks import numbers_array, positive_number
 from pendula._messages import ArgumentError
 
 if TYPE_CHECKING:
@@ -52,7 +53,7 @@ def parting_time(t: ArrayLike, difference: ArrayLike, tolerance: float) -> float
     Args:
         t: times [s], shape (n,).
         difference: as `angle_difference` gives it, shape (n,).
-        tolerance: in the unit of the difference.
+        tolerance: of the difference [rad].
 
     Returns:
         The time [s]; inf if the difference never passes the tolerance.
@@ -60,14 +61,13 @@ def parting_time(t: ArrayLike, difference: ArrayLike, tolerance: float) -> float
     Raises:
         ValueError: for a tolerance that is not positive.
     """
-    if not tolerance > 0:
-        raise ArgumentError("tolerance", "must be positive, got {value}", value=tolerance)
-    times, apart = np.asarray(t, dtype=np.float64), np.asarray(difference, dtype=np.float64)
-    passed = np.flatnonzero(~(apart <= tolerance))
+    most = positive_number("tolerance", tolerance, "rad")
+    times, apart = numbers_array("t", t, "s"), numbers_array("difference", difference, "rad")
+    passed = np.flatnonzero(~(apart <= most))
     if len(passed) == 0:
         return math.inf
     i = int(passed[0])
     if i == 0 or not math.isfinite(apart[i]):
         return float(times[max(i - 1, 0)])
-    share = (tolerance - apart[i - 1]) / (apart[i] - apart[i - 1])
+    share = (most - apart[i - 1]) / (apart[i] - apart[i - 1])
     return float(times[i - 1] + share * (times[i] - times[i - 1]))

@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from pendula import elliptic
+from pendula._checks import number, numbers_array
 from pendula._messages import ArgumentError
 
 if TYPE_CHECKING:
@@ -37,8 +38,8 @@ def series_terms(kc: ArrayLike, tolerance: float, *, largest: int = 1_000_000) -
     Raises:
         ValueError: for a modulus or a tolerance outside its range.
     """
-    modulus = _checked(kc, tolerance)
-    counts = [_series_terms(float(c), tolerance, largest) for c in modulus.ravel()]
+    modulus, part = _checked(kc, tolerance)
+    counts = [_series_terms(float(c), part, largest) for c in modulus.ravel()]
     return np.array(counts, dtype=np.float64).reshape(modulus.shape)
 
 
@@ -58,25 +59,25 @@ def agm_iterations(kc: ArrayLike, tolerance: float) -> NDArray[np.int64]:
     Raises:
         ValueError: for a modulus or a tolerance outside its range.
     """
-    modulus = _checked(kc, tolerance)
-    counts = [_agm_iterations(float(c), tolerance) for c in modulus.ravel()]
+    modulus, part = _checked(kc, tolerance)
+    counts = [_agm_iterations(float(c), part) for c in modulus.ravel()]
     return np.array(counts, dtype=np.int64).reshape(modulus.shape)
 
 
-def _checked(kc: ArrayLike, tolerance: float) -> Array:
-    modulus = np.asarray(kc, dtype=np.float64)
+def _checked(kc: ArrayLike, tolerance: float) -> tuple[Array, float]:
+    modulus, part = numbers_array("kc", kc), number("tolerance", tolerance)
     if not np.all((modulus > 0) & (modulus <= 1)):
         raise ArgumentError(
             "kc", "must lie in 0 < kc ≤ 1: at kc = 0 (the separatrix) K is infinite"
         )
-    if not _LEAST_TOLERANCE < tolerance < 1:
+    if not _LEAST_TOLERANCE < part < 1:
         raise ArgumentError(
             "tolerance",
             "must lie between {least} and 1, the reach of double precision, got {value}",
             least=_LEAST_TOLERANCE,
-            value=tolerance,
+            value=part,
         )
-    return modulus
+    return modulus, part
 
 
 def _series_terms(kc: float, tolerance: float, largest: int) -> float:

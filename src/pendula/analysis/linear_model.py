@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike
 
+from pendula._checks import number, numbers_array, positive_number
 from pendula._messages import ArgumentError
 from pendula.run.exact import exact
 from pendula.systems import LinearPendulum, SimplePendulum
@@ -38,14 +39,15 @@ def linear_model_error(amplitude: ArrayLike, swings: float = 1.0) -> Array:
     Raises:
         ValueError: for an amplitude outside its range, or swings that are not positive.
     """
-    theta0 = np.asarray(amplitude, dtype=np.float64)
+    theta0, watched = (
+        numbers_array("amplitude", amplitude, "rad"),
+        positive_number("swings", swings),
+    )
     if not np.all((theta0 > 0) & (theta0 < math.pi)):
         raise ArgumentError("amplitude", "must lie between 0 and π rad: it is a release from rest")
-    if not swings > 0:
-        raise ArgumentError("swings", "must be positive, got {value}", value=swings)
     linear, simple = LinearPendulum(), SimplePendulum()
-    t_max = swings * math.tau / simple.natural_frequency
-    t = np.linspace(0.0, t_max, math.ceil(_SAMPLES_A_PERIOD * swings) + 1)
+    t_max = watched * math.tau / simple.natural_frequency
+    t = np.linspace(0.0, t_max, math.ceil(_SAMPLES_A_PERIOD * watched) + 1)
     states = np.stack([theta0.ravel(), np.zeros(theta0.size)], axis=-1)
     apart = exact(linear, states, t).states[..., 0] - exact(simple, states, t).states[..., 0]
     largest: Array = np.abs(apart).max(axis=-1).reshape(theta0.shape) / theta0
@@ -62,11 +64,11 @@ def small_angle_limit(tolerance: float, swings: float = 1.0) -> float:
     Raises:
         ValueError: for a tolerance outside its range.
     """
-    _check_tolerance(tolerance)
+    part, watched = _checked_tolerance(tolerance), positive_number("swings", swings)
     # Half as much again as the small-angle law gives is past the limit and before the two are in
     # opposite phase, so the error rises all the way up to there.
-    high = min(1.5 * math.sqrt(8 * tolerance / (math.pi * swings)), 0.999 * math.pi)
-    return _crossing(lambda a: float(linear_model_error(a, swings)), tolerance, high)
+    high = min(1.5 * math.sqrt(8 * part / (math.pi * watched)), 0.999 * math.pi)
+    return _crossing(lambda a: float(linear_model_error(a, watched)), part, high)
 
 
 def period_limit(tolerance: float) -> float:
@@ -78,16 +80,18 @@ def period_limit(tolerance: float) -> float:
     Raises:
         ValueError: for a tolerance outside its range.
     """
-    _check_tolerance(tolerance)
+    part = _checked_tolerance(tolerance)
     simple = SimplePendulum()
     small = math.tau / simple.natural_frequency
-    return _crossing(lambda a: float(simple.period([a])[0]) / small - 1, tolerance, 0.999 * math.pi)
+    return _crossing(lambda a: float(simple.period([a])[0]) / small - 1, part, 0.999 * math.pi)
 
 
-def _check_tolerance(tolerance: float) -> None:
-    if not 0 < tolerance < 1:
+def _checked_tolerance(tolerance: float) -> float:
+    value = number("tolerance", tolerance)
+    if not 0 < value < 1:
         rule = "must lie between 0 and 1, got {value}"
-        raise ArgumentError("tolerance", rule, value=tolerance)
+        raise ArgumentError("tolerance", rule, value=value)
+    return value
 
 
 def _crossing(rising: Callable[[float], float], value: float, high: float) -> float:

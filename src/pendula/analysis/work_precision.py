@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from pendula import _engine
+from pendula._angles import warn_of_degrees
 from pendula._checks import finite_number, whole_number
 from pendula._messages import ArgumentError
 from pendula.analysis.difference import angle_difference
@@ -81,6 +82,7 @@ def work_precision(
     """
     check_system(system)
     start = checked_state(state, system)
+    warn_of_degrees("state", state, start[: system.can.degrees_of_freedom])
     origin, end = finite_number("t0", t0, "s"), finite_number("t_max", t_max, "s")
     count = whole_number("points", points, _MOST_POINTS)
     if count < 2:

@@ -34,7 +34,7 @@ BAD_PATH = (
 @click.group(
     cls=ChoiceGroup,
     kind="command",
-    epilog="Quantities take units: 50cm, 30deg, 9.81m/s^2; plain numbers are in SI units.",
+    epilog="Quantities take units: 50cm, 30deg, 9.81m/s^2; angles need one, others are SI.",
     context_settings={"token_normalize_func": lambda name: _OLD_OPTIONS.get(name, name)},
 )
 @click.version_option(__version__, message="pendula %(version)s")

@@ -12,6 +12,8 @@ from pendula.cli.options import start_of, start_options, system_of, system_optio
 from pendula.cli.tables import table
 
 if TYPE_CHECKING:
+    from fractions import Fraction
+
     from pendula._engine import SystemEntry
 
 
@@ -24,6 +26,8 @@ def _options(entry: SystemEntry) -> list[click.Parameter]:
 
 
 def _period(entry: SystemEntry, **given: Any) -> None:
+    from pendula.units import half_turns
+
     system: Any = system_of(entry, given)
     names = [row.name for row in entry.components]
     small = 2.0 * math.pi / system.natural_frequency
@@ -33,7 +37,12 @@ def _period(entry: SystemEntry, **given: Any) -> None:
         )
     if given["amplitude"] is None:
         state = start_of(entry, given)
-        period = float(system.period(state=state))
+        standing = state[1] == 0.0 and given["theta"] is not None
+        period = (
+            math.inf
+            if standing and _is_top(system, half_turns(given["theta"], "theta")[0])
+            else float(system.period(state=state))
+        )
         row = (*map(repr, state), repr(period), repr(period / small))
         click.echo(table(("theta [rad]", "omega [rad/s]", "period [s]", "T/T0"), [row]))
         return
@@ -46,14 +55,24 @@ def _period(entry: SystemEntry, **given: Any) -> None:
 
 
 def _of_swings(system: Any, texts: str, small: float) -> list[tuple[str, ...]]:
-    from pendula.units import quantities
+    from pendula.units import half_turns, quantities
 
     amplitudes = quantities(texts, "rad", "amplitude")
-    periods = [float(each) for each in system.period(amplitudes)]
+    periods = [
+        math.inf if _is_top(system, turns) else float(period)
+        for turns, period in zip(
+            half_turns(texts, "amplitude"), system.period(amplitudes), strict=True
+        )
+    ]
     return [
         ("".join(text.split()), repr(amplitude), repr(period), repr(period / small))
         for text, amplitude, period in zip(texts.split(","), amplitudes, periods, strict=True)
     ]
+
+
+def _is_top(system: Any, half_turns: Fraction) -> bool:
+    """Whether an angle is π itself, or turns more: the double nearest to it lies beside the top."""
+    return system.can.periodic and half_turns.denominator == 1 and half_turns % 2 == 1
 
 
 command = one_each(

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from pendula import _engine
+from pendula._angles import warn_of_degrees
 from pendula._checks import check_progress, finite_number, states_array
 from pendula._messages import ArgumentError
 from pendula._progress import part
@@ -105,6 +106,8 @@ def ensemble(
     check_progress(progress)
     systems = _checked_systems(system)
     starts, parameters = _checked_rows(systems, states)
+    angles = starts[:, : systems[0].can.degrees_of_freedom]
+    warn_of_degrees("states", states, angles)
     task = _checked_task(systems, starts, t, method, t0, options)
     count = checked_threads(threads)
     if task.digits is None:
@@ -168,7 +171,7 @@ def _checked_rows(systems: tuple[System, ...], states: ArrayLike) -> tuple[Array
     """Starts (n, d) and parameters (n, p) or (1, p)."""
     import numpy as np
 
-    starts = states_array(states, systems[0].components, name="states")
+    starts = states_array(states, systems[0].component_units, name="states")
     if starts.ndim == 1:
         starts = np.tile(starts, (len(systems), 1))
     if starts.ndim != 2 or (len(systems) > 1 and len(systems) != len(starts)):

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from pendula._checks import one_of
+from pendula._checks import number_pair, one_of
 from pendula._messages import ArgumentError
 from pendula.plot.grid import Grid, angle_axes, picked
 from pendula.plot.labels import Labels, labels
@@ -76,7 +76,8 @@ def flip_map(
     scale = time_scale(dataset.attrs, time_unit)
     times, forbidden = cells["flip_time"] / scale.unit, cells["forbidden"].astype(bool)
     never = np.isnan(times) & ~forbidden
-    colours, norm = _logarithmic(times, limits and (limits[0] / scale.unit, limits[1] / scale.unit))
+    ends = _ends(limits, "two times, 0 < low <= high [s]", "s")
+    colours, norm = _logarithmic(times, ends and (ends[0] / scale.unit, ends[1] / scale.unit))
     colours[never] = _rgb(_NEVER)
     pale = ~forbidden & ~cells["resolved"].astype(bool) if paled else np.zeros_like(forbidden)
     colours[pale] += _PALE * (1.0 - colours[pale])
@@ -125,7 +126,8 @@ def divergence_map(
     known = np.isfinite(rates)
     colours, norm = np.ones((*rates.shape, 3)), None
     if known.any():
-        low, high = limits or (_above(rates[known], _FEWER), float(rates[known].max()))
+        ends = _ends(limits, "two rates [1/s]", "1/s")
+        low, high = ends or (_above(rates[known], _FEWER), float(rates[known].max()))
         norm = Normalize(low, high if high > low else low + 1.0)
         colours[known] = _palette()(norm(rates[known]))[:, :3]
     colours[~known] = _rgb(_FORBIDDEN)
@@ -137,6 +139,11 @@ def divergence_map(
         label = words.axis["divergence"]
         number_ticks(_colour_bar(figure, ax, norm, rates[known], label), words)
     return figure
+
+
+def _ends(limits: Limits, what: str, unit: str) -> Limits:
+    """The ends of the colour scale, as numbers in that unit; None: the map's own."""
+    return None if limits is None else number_pair("limits", limits, f"must be {what}", unit)
 
 
 def _logarithmic(times: Array, limits: Limits) -> tuple[Array, Normalize | None]:

@@ -7,6 +7,7 @@ from dataclasses import asdict, dataclass
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from pendula import _engine
+from pendula._angles import warn_of_degrees
 from pendula._checks import LARGEST_COUNT, finite_number, one_of, whole_number
 from pendula._messages import ArgumentError
 
@@ -81,7 +82,9 @@ def angle(
     Raises:
         ValueError: for an argument out of range.
     """
-    return _event("angle", i, finite_number("value", value, "rad"), direction, terminal, every_turn)
+    passed = finite_number("value", value, "rad")
+    warn_of_degrees("value", value, passed)
+    return _event("angle", i, passed, direction, terminal, every_turn)
 
 
 def flip(i: int, direction: int = 0, terminal: bool | int = False) -> Event:

@@ -5,7 +5,8 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from pendula import _engine
-from pendula._checks import finite_array, finite_number, states_array
+from pendula._angles import warn_of_degrees
+from pendula._checks import broadcast_shape, finite_array, finite_number, states_array
 from pendula.run.closed_form import exact_states
 from pendula.run.request import Request
 from pendula.run.trajectory import Trajectory
@@ -38,7 +39,8 @@ def exact(system: System, state: ArrayLike, t: ArrayLike, *, t0: float = 0.0) ->
             periods away (linear: an amplitude of 2^900 rad, 2^50 half periods).
     """
     with_closed_form(system)
-    start = states_array(state, system.components, finite=False)  # the core refuses others
+    start = states_array(state, system.component_units, finite=False)  # the core refuses others
+    warn_of_degrees("state", state, start[..., 0])
     origin = finite_number("t0", t0, "s")
     times = finite_array("t", t, "s").reshape(-1)
     states = exact_states(system, start, times, origin)
@@ -64,10 +66,11 @@ def time_at(system: System, state: ArrayLike, theta: ArrayLike) -> Any:
     import numpy as np
 
     solvable = with_closed_form(system)
-    start = states_array(state, system.components)
+    start = states_array(state, system.component_units)
     solvable.check_start(start)
+    warn_of_degrees("state", state, start[..., 0])
     angles = finite_array("theta", theta, "rad")
-    shape = np.broadcast_shapes(start.shape[:-1], angles.shape)
+    shape = broadcast_shape(state=start.shape[:-1], theta=angles.shape)
     result = _engine.times_at(
         system._description(),
         np.ascontiguousarray(np.broadcast_to(start, (*shape, 2)).reshape(-1, 2)),
@@ -93,7 +96,8 @@ def action(system: System, state: ArrayLike) -> Any:
         ValueError: for a system without a closed form, or values that are not finite.
     """
     solvable = with_closed_form(system)
-    start = states_array(state, system.components)
+    start = states_array(state, system.component_units)
     solvable.check_start(start)
+    warn_of_degrees("state", state, start[..., 0])
     result = solvable.actions(start)
     return result if start.ndim > 1 else float(result)

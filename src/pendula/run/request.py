@@ -105,7 +105,7 @@ def checked_name(method: object, argument: str = "method") -> str:
 
 def checked_state(state: ArrayLike, system: System) -> Array:
     """One state of the system, (d,)."""
-    start = states_array(state, system.components)
+    start = states_array(state, system.component_units)
     if start.ndim != 1:
         raise ArgumentError(
             "state",

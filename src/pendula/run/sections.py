@@ -7,6 +7,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from pendula import _engine
+from pendula._angles import warn_of_degrees
 from pendula._checks import finite_number, whole_number
 from pendula._messages import ArgumentError
 from pendula.run.events import Crossings, Event, checked_events, crossings_of
@@ -58,18 +59,18 @@ def poincare_section(
     surfaces = checked_events(event, "event")
     if len(surfaces) != 1:
         raise ArgumentError("event", "must be one event, got {value} of them", value=len(surfaces))
-    count = whole_number("n", n, _MOST_CROSSINGS)
+    count, start = whole_number("n", n, _MOST_CROSSINGS), checked_state(state, system)
+    warn_of_degrees("state", state, start[: system.can.degrees_of_freedom])
     asked = Request(
-        state=checked_state(state, system),
+        state=start,
         t=np.array([math.inf]),  # no outputs
         t0=finite_number("t0", t0, "s"),
         **{
+            "max_steps": _MOST_STEPS,
             **checked_types(options, "poincare_section", _OPTIONS),
             "events": (replace(surfaces[0], terminal=count),),
         },
     )
-    if asked.max_steps is None:
-        asked = replace(asked, max_steps=_MOST_STEPS)
     result = _engine.solve(asked.for_core(system, "taylor"), None)
     refuse(result.refused, digits=False)
     (found,) = crossings_of(result.events, asked.state.size)

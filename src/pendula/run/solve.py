@@ -6,6 +6,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from pendula import _engine
+from pendula._angles import warn_of_degrees
 from pendula._checks import check_progress
 from pendula.run.events import crossings_of
 from pendula.run.options import BEST_TOLERANCE, takes_options
@@ -62,6 +63,7 @@ def solve(
     check_system(system)
     check_progress(progress)
     asked = request_of(system, state, t, method, t0, **options)
+    warn_of_degrees("state", state, asked.state[: system.can.degrees_of_freedom])
     if asked.digits is not None:
         return _solve_digits(system, asked, progress)
     return trajectory_of(

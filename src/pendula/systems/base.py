@@ -6,7 +6,7 @@ import math
 from typing import TYPE_CHECKING, Any, ClassVar, cast
 
 from pendula import _engine
-from pendula._checks import number, states_array
+from pendula._checks import finite_number, number, states_array
 from pendula._messages import ArgumentError
 
 if TYPE_CHECKING:
@@ -56,6 +56,11 @@ class System:
         return tuple(each.name for each in _engine.system_entries()[self.name].components)
 
     @property
+    def component_units(self) -> dict[str, str]:
+        """SI units of a state's components, by their names."""
+        return {each.name: each.unit for each in _engine.system_entries()[self.name].components}
+
+    @property
     def constants(self) -> dict[str, float]:
         """The constants that the equations of motion are written in."""
         return _engine.constants(self._description())
@@ -77,11 +82,12 @@ class System:
 
     def rhs(self, states: ArrayLike, t: float = 0.0) -> Array:
         """Time derivatives (..., d) of states (..., d) at time t [rad/s, rad/s²]."""
-        return _engine.rhs(self._description(), self._directions(states), t)
+        at = finite_number("t", t, "s")
+        return _engine.rhs(self._description(), self._directions(states), at)
 
     def positions(self, states: ArrayLike) -> Array:
         """The bob, or the end of each rod, (..., d/2, 2) [m]: pivot at the origin, y upward."""
-        given = states_array(states, self.components)
+        given = states_array(states, self.component_units)
         return _engine.positions(self._description(), _engine.within_range_of_sine(given))
 
     def kinetic_energy(self, states: ArrayLike) -> Array:
@@ -106,7 +112,7 @@ class System:
 
     def _directions(self, states: ArrayLike) -> Array:
         """The states, as the sine can take them, where angles are directions and nothing more."""
-        given = states_array(states, self.components)
+        given = states_array(states, self.component_units)
         return _engine.within_range_of_sine(given) if self.can.periodic else given
 
     def _rows(self) -> tuple[_engine.Parameter, ...]:

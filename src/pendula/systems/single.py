@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, ClassVar
 
 from pendula import _engine
+from pendula._angles import warn_of_degrees
 from pendula._checks import finite_array, states_array
 from pendula._messages import ArgumentError
 from pendula.systems.base import STANDARD_GRAVITY, ClosedForm
@@ -57,7 +58,7 @@ class LinearPendulum(_OneBob):
         if amplitude is not None:
             shape = finite_array("amplitude", amplitude, "rad").shape
         elif state is not None:
-            shape = states_array(state, self.components).shape[:-1]
+            shape = states_array(state, self.component_units).shape[:-1]
         return np.full(shape, one) if shape else one
 
 
@@ -103,8 +104,9 @@ class SimplePendulum(_OneBob):
         if amplitude is not None:
             states = self._releases(amplitude)
         else:
-            states = states_array(state, self.components)  # type: ignore[arg-type]
+            states = states_array(state, self.component_units)  # type: ignore[arg-type]
             self.check_start(states)
+            warn_of_degrees("state", state, states[..., 0])
         rows = np.ascontiguousarray(states.reshape(-1, 2))
         result = _engine.periods(self._description(), rows)
         return result.reshape(states.shape[:-1]) if states.ndim > 1 else float(result[0])

@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from pendula import _engine
-from pendula._checks import finite_number, whole_number
+from pendula._checks import number_pair, whole_number
 from pendula._messages import ArgumentError
 from pendula.many.chunks import Axis
 
@@ -113,7 +112,10 @@ def checked_cells(theta1: object, theta2: object, shape: object) -> Cells:
     Raises:
         ValueError: naming the argument.
     """
-    counts = tuple(shape) if isinstance(shape, Iterable) else (shape,)
+    try:
+        counts: tuple[Any, ...] = tuple(shape)  # type: ignore[arg-type]
+    except TypeError:
+        counts = (shape,)
     if len(counts) != 2:
         rule = "must be two numbers of cells, such as (500, 500), got {value}"
         raise ArgumentError("shape", rule, value=shape)
@@ -132,10 +134,7 @@ def checked_cells(theta1: object, theta2: object, shape: object) -> Cells:
 
 def _checked_range(name: str, given: object, count: int) -> tuple[float, float]:
     """A range within that of the sine, whose cells' centres are different doubles."""
-    pair = tuple(given) if isinstance(given, Iterable) else (given,)
-    if len(pair) != 2:
-        raise ArgumentError(name, "must be a range (lo, hi) [rad], got {value}", value=given)
-    lo, hi = (finite_number(name, value, "rad") for value in pair)
+    lo, hi = number_pair(name, given, "must be a range (lo, hi) [rad]", "rad")
     if not lo < hi:
         rule = "must be a range (lo, hi) with lo < hi [rad], got {value}"
         raise ArgumentError(name, rule, value=(lo, hi))

@@ -6,6 +6,7 @@ import math
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
+from pendula._angles import warn_of_degrees
 from pendula._checks import positive_number
 from pendula._messages import ArgumentError
 from pendula.many.chunks import Variable
@@ -73,6 +74,8 @@ def divergence_map(
         ValueError: for an argument out of range, or a store of another map.
     """
     where = checked_map(system, theta1, theta2, shape, t_max)
+    for name, given, ends in zip(NAMES, (theta1, theta2), where[1].ranges, strict=True):
+        warn_of_degrees(name, given, ends)
     apart = positive_number("separation", separation, "rad")
     if not SMALLEST_SEPARATION <= apart <= LARGEST_SEPARATION:
         rule = (

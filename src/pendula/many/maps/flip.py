@@ -6,6 +6,7 @@ import math
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
+from pendula._angles import warn_of_degrees
 from pendula._checks import flag, whole_number
 from pendula._messages import ArgumentError
 from pendula._progress import part
@@ -85,6 +86,8 @@ def flip_map(
         ValueError: for an argument out of range, or a store of another map.
     """
     where = checked_map(system, theta1, theta2, shape, t_max)
+    for name, given, ends in zip(NAMES, (theta1, theta2), where[1].ranges, strict=True):
+        warn_of_degrees(name, given, ends)
     again = flag("resolve", resolve)
     within = checked_tolerance(system, where[-1], tolerance)
     asked = FlipMap(*where, _checked_rod(which), within, again)

@@ -149,23 +149,27 @@ class _Run:
         raw = self._given.get(row.name)
         if row.unit == "s":
             return self._time(row.name)
-        if isinstance(raw, str) and row.unit:
-            return self._file.quantity("run", row.name, row.unit, raw)
+        if raw is not None and row.unit:
+            return self._quantity(row.name, row.unit, raw)
         return raw
 
     def _time(self, key: str) -> float | None:
         raw = self._given.get(key)
         if raw is None:
             return None
-        if not isinstance(raw, str):
-            rule = f"run.{key} needs a quantity with its unit, in quotes"
-            message = f'{rule}, got {as_toml(raw)}; write {key} = "0.1 s", say'
-            raise self._file.blame("run", (key,), message)
-        value = self._file.quantity("run", key, "s", raw)
+        value = self._quantity(key, "s", raw)
         if value <= 0:
             message = f"run.{key} must be positive, got {as_toml(raw)}"
             raise self._file.blame("run", (key,), message)
         return value
+
+    def _quantity(self, key: str, unit: str, raw: object) -> float:
+        if not isinstance(raw, str):
+            rule = f"run.{key} needs a quantity with its unit, in quotes"
+            example = "0.1 s" if unit == "s" else f"1e-9 {unit}"
+            message = f'{rule}, got {as_toml(raw)}; write {key} = "{example}", say'
+            raise self._file.blame("run", (key,), message)
+        return self._file.quantity("run", key, unit, raw)
 
     def _whole(self, key: str, most: int) -> int | None:
         raw = self._given.get(key)
