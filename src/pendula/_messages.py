@@ -15,6 +15,7 @@ _PLACES = re.compile(r"<([\w{}]+)(?:=([^<>]*))?>|\{(\w+)\}")
 _BRACES = re.compile(r"\{(\w+)\}")
 # details shown without quotes
 _PLAIN = ("choices", "place", "constant", "system", "form", "other", "text", "path")
+_LONGEST = 300  # characters of another library's error
 _JOINED = {"choices": ", ", "any_of": " or "}
 
 
@@ -105,6 +106,12 @@ def message_of(error: BaseException) -> str:
     """What an error says: a `Message`, where it carries one."""
     first = error.args[0] if error.args else ""
     return first if isinstance(first, Message) else str(error)
+
+
+def one_line(error: BaseException | str) -> str:
+    """What an error of a library says, of however many lines, as one that can be read."""
+    text = " ".join(str(error).split())
+    return text if len(text) <= _LONGEST else f"{text[:_LONGEST]} …"
 
 
 def _message(argument: str, rule: str, way_out: str, details: dict[str, Any]) -> Message:
