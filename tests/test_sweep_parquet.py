@@ -77,3 +77,14 @@ def test_chunks_that_come_in_any_order_are_written_in_theirs(
     monkeypatch.setattr("pendula.many.sweep.parquet.computed", shuffled)
     sweep(asked, mixed)
     assert mixed.read_bytes() == calm.read_bytes()
+
+
+def test_a_reader_that_asks_finds_damage(rods: SweepRecipe, tmp_path: Path) -> None:
+    path = tmp_path / "rods.parquet"
+    sweep(rods, path)
+    data = bytearray(path.read_bytes())
+    column = parquet.ParquetFile(path).metadata.row_group(0).column(2)
+    data[column.data_page_offset + column.total_compressed_size // 2] ^= 1
+    path.write_bytes(data)
+    with pytest.raises(OSError, match="CRC"):
+        pd.read_parquet(path, page_checksum_verification=True)

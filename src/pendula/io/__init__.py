@@ -12,7 +12,7 @@ from pendula._writing import refuse_existing, replacing
 from pendula.io import files
 from pendula.io.attributes import NotATrajectoryError, from_attributes
 from pendula.io.tables import to_pandas, to_xarray
-from pendula.io.whole import UncheckedFileWarning, Whole, recipe_of, warn_unchecked
+from pendula.io.whole import UncheckedFileWarning, Whole, check_ends, recipe_of, warn_unchecked
 from pendula.run.trajectory import Trajectory
 
 if TYPE_CHECKING:
@@ -106,7 +106,10 @@ def _loaded(source: Path) -> tuple[Trajectory, dict[str, Any]]:
         with read(source) as stored:
             known = recipe_of(stored.recipe, source)
             table = Whole(known, stored, source).table()
-        return from_attributes(known, *table, source), known
+        run = from_attributes(known, *table, source)
+        if "checksum" not in known:
+            check_ends(run, source)
+        return run, known
     except (MissingExtraError, NotATrajectoryError):
         raise
     except Exception as error:  # the formats' libraries raise whatever they like

@@ -90,7 +90,7 @@ def from_attributes(known: dict[str, Any], t: Array, states: Array, source: Path
         method = one_of("method", known["method"], ("exact", *(each.name for each in methods())))
         if states.shape[-1] != state.shape[-1] or state.shape[-1] != len(system.components):
             raise ValueError(f"states of {states.shape[-1]} components")
-        counts = (operator.index(known[name]) for name in ("n_steps", "n_evaluations"))
+        counts = operator.index(known["n_steps"]), operator.index(known["n_evaluations"])
         outcome = one_of("outcome", known["outcome"], OUTCOMES)
         run = Trajectory(system, method, t, states, request, outcome, *counts, **_found(known))
         reached = known["reached"] if "reached" in known else _reached(run)

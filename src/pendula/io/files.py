@@ -1,4 +1,4 @@
-"""The file formats: a writer and a reader each. Readers give what a file claims, and its columns."""
+"""The file formats: a writer and a reader each. Readers give what a file claims."""
 
 from __future__ import annotations
 
@@ -114,7 +114,9 @@ def _read_zarr(path: Path) -> Iterator[Stored]:
 
     def column(label: str) -> Any:
         array = arrays[label]
-        chunks = math.prod(-(-size // step) for size, step in zip(array.shape, array.chunks))
+        chunks = math.prod(
+            -(-size // step) for size, step in zip(array.shape, array.chunks, strict=True)
+        )
         there = sum(each.is_file() for each in (path / array.basename / "c").rglob("*"))
         if there < chunks:  # zarr gives nan for them
             raise damaged(path, f"{label} lacks {chunks - there} of its {chunks} chunks")

@@ -1,4 +1,4 @@
-"""NetCDF, through HDF5, whose library takes the sizes in a damaged file for true and may never return.
+"""NetCDF, through HDF5, whose library believes the sizes in a damaged file and may never return.
 
 A seal behind HDF5's last byte is compared before the library sees the file. HDF5 cuts the seal off
 when it opens the file to write: from then on, as in files of earlier versions, the sizes that it
@@ -51,15 +51,19 @@ def read_netcdf(path: Path) -> Iterator[Stored]:
         columns = {
             f"{name} [{_text(each.attrs.get('units'))}]": each for name, each in file.items()
         }
-        for label, each in columns.items():
+
+        def column(label: str) -> Any:
+            each = columns[label]
             if (
                 each.chunks is None
                 and each.id.get_storage_size() != each.size * each.dtype.itemsize
             ):
                 raise damaged(path, f"{label} has another size than its numbers")
+            return each[...]
+
         shapes = {label: each.shape for label, each in columns.items()}
         recipe = _text(file.attrs.get(KEY, "{}"))
-        yield Stored(recipe, shapes, lambda label: columns[label][...], len(data))
+        yield Stored(recipe, shapes, column, len(data))
 
 
 def _text(value: Any) -> str:

@@ -20,9 +20,11 @@ if TYPE_CHECKING:
     from pathlib import Path
 
     from pendula._types import Array
+    from pendula.run.trajectory import Trajectory
 
+_NEEDED = ("system", "method", "state", "t", "t0", "outcome", "n_steps", "n_evaluations")
 _BEFORE = {  # all that a recipe without a checksum can hold
-    *("pendula", "system", "method", "state", "t", "t0", "outcome", "n_steps", "n_evaluations"),
+    *("pendula", *_NEEDED),
     *("step", "tolerance", "max_steps", "certify", "digits", "events"),
     *("reached", "crossings", "trust_horizon", "precision"),
 }
@@ -69,6 +71,11 @@ def recipe_of(text: str, source: Path) -> dict[str, Any]:
             f"{source} does not hold a trajectory of pendula: its attributes are no recipe: "
             f"{one_line(error)}"
         ) from None
+    lacking = next((name for name in _NEEDED if name not in known), None)
+    if lacking is not None:
+        raise NotATrajectoryError(
+            f"{source} does not hold a trajectory of pendula: its attributes lack {lacking!r}"
+        )
     if not sound:
         raise damaged(source, "its recipe does not fit the recipe's checksum")
     return dict(known)
@@ -122,10 +129,7 @@ class Whole:
             self._check_sum(name, values)
         for label in self._checksums.keys() - {TIME, *names}:
             self._check_sum(label, self._column(label, shape))
-        states = np.stack(list(columns.values()), axis=-1)
-        if "checksum" not in self._known and self._known["method"] != "exact":
-            self._check_ends(times, states)
-        return times, states
+        return times, np.stack(list(columns.values()), axis=-1)
 
     def _count(self) -> int:
         """The number of times, before memory is taken for them."""
@@ -145,10 +149,12 @@ class Whole:
         import numpy as np
 
         times = self._column(TIME, (count,))
-        steps = abs(np.diff(times))
-        wide = np.flatnonzero(steps > 1.5 * np.median(steps)) if count > 2 else []
-        if len(wide) == 1 and np.allclose(np.delete(steps, wide), np.median(steps)):
-            return f"; those after row {wide[0] + 1} are missing"
+        if count > 2:
+            steps = abs(np.diff(times))
+            usual = np.median(steps)
+            wide = np.flatnonzero(steps > 1.5 * usual)
+            if wide.size == 1 and np.allclose(np.delete(steps, wide), usual):
+                return f"; those after row {wide[0] + 1} are missing"
         return f"; the last is {float(times[-1])!r} s" if count else ""
 
     def _column(self, label: str, shape: tuple[int, ...]) -> Array:
@@ -192,32 +198,40 @@ class Whole:
                 self._source, f"row {row + 1}, at {after!r} s, does not follow {before!r} s"
             )
 
-    def _check_ends(self, times: Array, states: Array) -> None:
-        """Refuse what cannot be all of a run, in a file whose checksums do not tell."""
-        known, count = self._known, times.size
-        asked, complete = known["t"], known["outcome"] == "reached_end"
-        if isinstance(asked, list):  # a run that did not reach all of them
-            if complete or count > len(asked) or times.tolist() != asked[:count]:
-                what = f"it holds {count} times that are not the first of the {len(asked)} asked"
-                raise damaged(self._source, f"{what} for")
-        elif complete and asked is not None:
-            self._check_own_steps(times, asked)
-        if count and times[0] == known["t0"] and states[0].tolist() != known["state"]:
-            raise damaged(self._source, "row 1 is not the state at the start")
-        step = known.get("step")
-        if complete and count and step is not None:
-            span, steps = abs(float(times[-1]) - known["t0"]), known["n_steps"]
-            if span > 1.001 * (steps + 1) * step:
-                raise damaged(self._source, f"{steps} steps of {step!r} s do not cover {span!r} s")
 
-    def _check_own_steps(self, times: Array, end: float) -> None:
-        """Of a run that reached its end."""
-        known, count = self._known, times.size
-        if not count or times[-1] != end:
-            last = f"{float(times[-1])!r} s" if count else "nowhere"
-            raise damaged(self._source, f"it ends at {last}, but the run at {end!r} s")
-        if known.get("digits") is None and count != known["n_steps"] + 1:
-            raise damaged(self._source, f"it holds {count} times of {known['n_steps']} steps")
+def check_ends(run: Trajectory, source: Path) -> None:
+    """Refuse what cannot be all of a run, in a file that has no checksums to tell it.
+
+    Raises:
+        NotATrajectoryError: saying what does not fit.
+    """
+    if run.method == "exact":
+        return
+    asked, count = run.request, run.t.size
+    complete = run.outcome == "reached_end"
+    if isinstance(asked.t, float):
+        if complete:
+            _check_own_steps(run, asked.t, source)
+    elif run.t.tolist() != asked.t[:count].tolist() or (complete and count != asked.t.size):
+        raise damaged(source, f"its {count} times are not the {asked.t.size} asked for")
+    if count and run.t[0] == asked.t0 and run.states[0].tolist() != asked.state.tolist():
+        raise damaged(source, "row 1 is not the state at the start")
+    if complete and asked.step is not None:
+        span = abs(asked.end - asked.t0)
+        if span > 1.001 * (run.n_steps + 1) * asked.step:  # roughly: they may be shortened
+            raise damaged(source, f"{run.n_steps} steps of {asked.step!r} s are not {span!r} s")
+
+
+def _check_own_steps(run: Trajectory, end: float, source: Path) -> None:
+    """Of a run that reached its end: the first time, the last, and a row for each step."""
+    times: list[float] = run.t.tolist()
+    if not times or times[-1] != end:
+        last = f"{times[-1]!r} s" if times else "nowhere"
+        raise damaged(source, f"it ends at {last}, but the run at {end!r} s")
+    if times[0] != run.request.t0:
+        raise damaged(source, f"row 1 is at {times[0]!r} s, not at the start")
+    if run.request.digits is None and len(times) != run.n_steps + 1:
+        raise damaged(source, f"it holds {len(times)} times of {run.n_steps} steps")
 
 
 def damaged(source: Path, what: str) -> NotATrajectoryError:
