@@ -15,7 +15,7 @@ from alike import same
 from pendula import DoublePendulum, LinearPendulum, SimplePendulum, exact, solve
 from pendula._writing import replacing
 from pendula.events import angle, flip, tip_height, velocity_zero
-from pendula.io import files
+from pendula.io import UncheckedFileWarning, files
 from pendula.io.attributes import attributes
 
 RUNS = {
@@ -160,7 +160,7 @@ def test_another_ending_is_refused(name: str, tmp_path: Path) -> None:
 
 
 HEAD = json.dumps({"pendula": "0", "system": SimplePendulum().description(), "method": "rk4",
-                   "state": [1.0, 0.0], "t": 1.0, "t0": 0.0, "step": 0.1, "max_steps": None,
+                   "state": [1.0, 0.0], "t": 1.0, "t0": 0.0, "step": 1.0, "max_steps": None,
                    "outcome": "reached_end", "n_steps": 1, "n_evaluations": 4})  # fmt: skip
 COLUMNS = "t [s],theta [rad],omega [rad/s]"
 
@@ -188,8 +188,9 @@ def test_a_spoilt_file_is_refused_by_name(text: str, message: str, tmp_path: Pat
 
 def test_a_whole_file_of_that_kind_is_read(tmp_path: Path) -> None:
     path = tmp_path / "other.csv"
-    path.write_text(f"# pendula: {HEAD}\n{COLUMNS}\n0,1,2\n", encoding="utf-8")
-    assert pendula.load(path).states.tolist() == [[1.0, 2.0]]
+    path.write_text(f"# pendula: {HEAD}\n{COLUMNS}\n0,1,0\n1,0.5,2\n", encoding="utf-8")
+    with pytest.warns(UncheckedFileWarning, match="other.csv is of a version that wrote no checks"):
+        assert pendula.load(path).states.tolist() == [[1.0, 0.0], [0.5, 2.0]]
 
 
 @pytest.mark.parametrize("ending", [".nc", ".parquet", ".zarr"])

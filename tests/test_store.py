@@ -156,6 +156,21 @@ def test_a_damaged_chunk_is_named_when_it_is_read(tmp_path: Path) -> None:
     assert np.isfinite(opened(store)["wave"].values[7:14, 10:15]).any()
 
 
+@pytest.mark.parametrize("key", ["wave/c.1.2", "positive/c.0.0", "x/c.0"])
+def test_a_chunk_that_a_finished_store_lacks_is_named_when_it_is_read(
+    key: str, tmp_path: Path
+) -> None:
+    """Not given as what stands where nothing has been computed; that is in an unfinished one."""
+    store = tmp_path / "w.zarr"
+    run(waves(), store)
+    (store / key).unlink()
+    with pytest.raises(ValueError, match=f"w.zarr/{key} is missing; run the call") as error:
+        opened(store).load()
+    assert "\n" not in str(error.value)
+    run(waves(), store)
+    xr.testing.assert_identical(opened(store).load(), run(waves()))
+
+
 @pytest.mark.parametrize("missing", [None, "zarr.json"])
 def test_what_is_no_store_cannot_be_opened(missing: str | None, tmp_path: Path) -> None:
     with pytest.raises(FileNotFoundError, match="no such store: .*w.zarr"):

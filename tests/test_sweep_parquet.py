@@ -7,6 +7,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
+import pandas as pd
 import pyarrow.parquet
 import pytest
 import xarray as xr
@@ -77,3 +78,16 @@ def test_chunks_that_come_in_any_order_are_written_in_theirs(
     monkeypatch.setattr("pendula.many.sweep.parquet.computed", shuffled)
     sweep(asked, mixed)
     assert mixed.read_bytes() == calm.read_bytes()
+
+
+def test_a_reader_that_asks_finds_damage(rods: SweepRecipe, tmp_path: Path) -> None:
+    path = tmp_path / "rods.parquet"
+    sweep(rods, path)
+    data, group = path.read_bytes(), pyarrow.parquet.ParquetFile(path).metadata.row_group(0)
+    for column in map(group.column, range(group.num_columns)):
+        start = column.dictionary_page_offset or column.data_page_offset
+        damaged = bytearray(data)
+        damaged[start + column.total_compressed_size - 1] ^= 1
+        path.write_bytes(damaged)
+        with pytest.raises(OSError, match="CRC"):
+            pd.read_parquet(path, page_checksum_verification=True)

@@ -15,7 +15,7 @@ _PLACES = re.compile(r"<([\w{}]+)(?:=([^<>]*))?>|\{(\w+)\}")
 _BRACES = re.compile(r"\{(\w+)\}")
 # details shown without quotes
 _PLAIN = ("choices", "place", "constant", "system", "form", "other", "text", "path")
-_LONGEST = 200  # characters of a value
+_LONGEST = 300  # characters of a value, or of another library's error
 _JOINED = {"choices": ", ", "any_of": " or "}
 
 
@@ -40,7 +40,7 @@ class Naming:
             return _JOINED[name].join(map(str, value))
         if isinstance(value, float) and name not in ("value", "t0", "span"):
             return f"{value:g}"
-        return str(value) if name in _PLAIN else _one_line(repr(value))
+        return str(value) if name in _PLAIN else one_line(repr(value))
 
 
 PYTHON = Naming()
@@ -102,16 +102,17 @@ class ArgumentError(ValueError):
         return self.message.argument
 
 
-def _one_line(text: str) -> str:
-    """The text in one line, shortened: arrays have many."""
-    line = " ".join(text.split()) if "\n" in text else text
-    return line if len(line) <= _LONGEST else f"{line[:_LONGEST]}…"
-
-
 def message_of(error: BaseException) -> str:
     """What an error says: a `Message`, where it carries one."""
     first = error.args[0] if error.args else ""
     return first if isinstance(first, Message) else str(error)
+
+
+def one_line(said: object) -> str:
+    """What a library's error says, or a value is, of however many lines, in one, shortened."""
+    text = str(said)
+    line = " ".join(text.split()) if "\n" in text else text
+    return line if len(line) <= _LONGEST else f"{line[:_LONGEST]} …"
 
 
 def _message(argument: str, rule: str, way_out: str, details: dict[str, Any]) -> Message:

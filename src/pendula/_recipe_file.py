@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator, Mapping
 
 
+_DEEPEST = 50
 _OLD_NAMES = {"t_max": "until"}  # what keys were called before; files with them are still read
 
 
@@ -112,13 +113,19 @@ class RecipeFile:
 
     def _parsed(self) -> dict[str, Any]:
         try:
-            return tomllib.loads(self._text)
+            tables = tomllib.loads(self._text)
+            if _too_deep(tables):
+                raise RecursionError
+            return tables
         except tomllib.TOMLDecodeError as error:
             place = re.search(r"\s*\(at line (\d+), column (\d+)\)", str(error))
             line = int(place[1]) if place else len(self._text.splitlines())
             what = re.sub(r"\s*\(at [^)]*\)$", "", str(error))
             hint = 'write text and quantities in quotes, as in length = "50 cm"'
             raise ValueError(f"{self.name}, line {line}: not TOML: {what}; {hint}") from None
+        except RecursionError:
+            rule = f"tables and lists must be at most {_DEEPEST} within one another"
+            raise ValueError(f"{self.name}: not a recipe: {rule}") from None
 
 
 class _Keys(Naming):
@@ -135,6 +142,15 @@ class _Keys(Naming):
         """A line of the table."""
         unit = option_unit(name)
         return f'{name} = "{value} {unit}"' if unit else f"{name} = {value}"
+
+
+def _too_deep(tables: dict[str, Any]) -> bool:
+    """Whether tables and lists lie deeper within one another than recursion could follow."""
+    level: list[Any] = [tables]
+    for _ in range(_DEEPEST):
+        inside = (each.values() if isinstance(each, dict) else each for each in level)
+        level = [each for part in inside for each in part if isinstance(each, dict | list)]
+    return bool(level)
 
 
 def _renamed(table: Any) -> Any:

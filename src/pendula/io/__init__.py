@@ -3,20 +3,31 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from pendula._checks import MissingExtraError, extra, one_of
 from pendula._late_methods import method_of
+from pendula._messages import one_line
 from pendula._writing import refuse_existing, replacing
 from pendula.io import files
-from pendula.io.attributes import NotATrajectoryError, attributes, from_attributes
+from pendula.io.attributes import NotATrajectoryError, from_attributes
 from pendula.io.tables import to_pandas, to_xarray
+from pendula.io.whole import UncheckedFileWarning, Whole, check_ends, recipe_of, warn_unchecked
 from pendula.run.trajectory import Trajectory
 
 if TYPE_CHECKING:
     from os import PathLike
 
-__all__ = ["NotATrajectoryError", "check_target", "load", "rerun", "save", "to_pandas", "to_xarray"]
+__all__ = [
+    "NotATrajectoryError",
+    "UncheckedFileWarning",
+    "check_target",
+    "load",
+    "rerun",
+    "save",
+    "to_pandas",
+    "to_xarray",
+]
 
 
 @method_of(Trajectory)
@@ -33,7 +44,7 @@ def save(trajectory: Trajectory, path: str | PathLike[str], *, overwrite: bool =
     target = Path(path)
     write, _ = files.FORMATS[_ending(target)]
     with replacing(target, overwrite=overwrite) as unfinished:
-        write(trajectory, attributes(trajectory), unfinished)
+        write(trajectory, unfinished)
 
 
 def check_target(path: str | PathLike[str], *, overwrite: bool = False) -> None:
@@ -50,24 +61,19 @@ def check_target(path: str | PathLike[str], *, overwrite: bool = False) -> None:
 
 
 def load(path: str | PathLike[str]) -> Trajectory:
-    """Read a trajectory that `save` wrote.
+    """Read a trajectory that `save` wrote, if it is all there: counts and checksums are compared.
+
+    A file of an earlier version, without checksums, is read with an `UncheckedFileWarning`.
 
     Raises:
-        ValueError: for another ending, or a file that pendula did not write.
+        ValueError: for another ending, a file that pendula did not write, or a damaged one: a line
+            that names the file and what does not fit.
         FileNotFoundError: where there is no such file.
     """
     source = Path(path)
-    _, read = files.FORMATS[_ending(source)]
-    if not source.exists():
-        raise FileNotFoundError(f"no such file: {source}")
-    try:
-        return from_attributes(*read(source), source)
-    except (MissingExtraError, NotATrajectoryError):
-        raise
-    except Exception as error:  # the formats' libraries raise whatever they like
-        raise NotATrajectoryError(
-            f"{source} cannot be read as a trajectory of pendula: {error}"
-        ) from error
+    run, known = _loaded(source)
+    warn_unchecked(known, source)
+    return run
 
 
 def rerun(path: str | PathLike[str]) -> Trajectory:
@@ -79,11 +85,37 @@ def rerun(path: str | PathLike[str]) -> Trajectory:
     from pendula.run.exact import exact
     from pendula.run.solve import solve
 
-    old = load(path)
+    source = Path(path)
+    old, known = _loaded(source)
+    warn_unchecked(known, source)
     asked = old.request
-    if old.method == "exact":
-        return exact(old.system, asked.state, old.t, t0=asked.t0)
-    return solve(old.system, asked.state, asked.t, old.method, t0=asked.t0, **asked.options)
+    try:
+        if old.method == "exact":
+            return exact(old.system, asked.state, old.t, t0=asked.t0)
+        return solve(old.system, asked.state, asked.t, old.method, t0=asked.t0, **asked.options)
+    except ValueError as error:
+        raise NotATrajectoryError(f"{source} cannot be run again: {one_line(error)}") from error
+
+
+def _loaded(source: Path) -> tuple[Trajectory, dict[str, Any]]:
+    """A trajectory and its recipe."""
+    _, read = files.FORMATS[_ending(source)]
+    if not source.exists():
+        raise FileNotFoundError(f"no such file: {source}")
+    try:
+        with read(source) as stored:
+            known = recipe_of(stored.recipe, source)
+            table = Whole(known, stored, source).table()
+        run = from_attributes(known, *table, source)
+        if "checksum" not in known:
+            check_ends(run, source)
+        return run, known
+    except (MissingExtraError, NotATrajectoryError):
+        raise
+    except Exception as error:  # the formats' libraries raise whatever they like
+        raise NotATrajectoryError(
+            f"{source} cannot be read as a trajectory of pendula: {one_line(error)}"
+        ) from error
 
 
 def _ending(path: Path) -> str:

@@ -4,12 +4,16 @@ from __future__ import annotations
 
 import json
 import math
+import operator
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
-from pendula._checks import one_of
-from pendula._engine import methods
+from pendula._checks import finite_number, numbers_array, one_of
+from pendula._engine import OUTCOMES, methods
+from pendula._messages import one_line
 from pendula._version import __version__
+from pendula.io.checksums import of_column, of_recipe
+from pendula.io.columns import labelled
 from pendula.run.events import Crossings
 from pendula.run.options import options_from
 from pendula.run.request import Request
@@ -27,31 +31,34 @@ class NotATrajectoryError(ValueError):
 
 
 def attributes(trajectory: Trajectory) -> str:
-    """One line of JSON; a float's shortest decimal form gives its bits back."""
+    """One line of JSON; a float's shortest decimal form gives its bits back.
+
+    It ends with the number of times, a checksum of each column and one of all that stands before.
+    """
     asked = trajectory.request
-    return json.dumps(
-        {
-            "pendula": __version__,
-            "system": trajectory.system.description(),
-            "method": trajectory.method,
-            "state": asked.state.tolist(),
-            "t": _asked_times(trajectory),
-            "t0": asked.t0,
-            **asked.described(),
-            "outcome": trajectory.outcome,
-            "n_steps": trajectory.n_steps,
-            "n_evaluations": trajectory.n_evaluations,
-            "reached": _number(trajectory.reached),
-            "crossings": [
-                {"times": each.times.tolist(), "states": each.states.tolist()}
-                for each in trajectory.events
-            ],
-            "trust_horizon": _number(trajectory.trust_horizon),
-            "precision": trajectory.precision,
-        },
-        ensure_ascii=True,
-        allow_nan=False,
-    )
+    known = {
+        "pendula": __version__,
+        "system": trajectory.system.description(),
+        "method": trajectory.method,
+        "state": asked.state.tolist(),
+        "t": _asked_times(trajectory),
+        "t0": asked.t0,
+        **asked.described(),
+        "outcome": trajectory.outcome,
+        "n_steps": trajectory.n_steps,
+        "n_evaluations": trajectory.n_evaluations,
+        "reached": _number(trajectory.reached),
+        "crossings": [
+            {"times": each.times.tolist(), "states": each.states.tolist()}
+            for each in trajectory.events
+        ],
+        "trust_horizon": _number(trajectory.trust_horizon),
+        "precision": trajectory.precision,
+        "n_times": trajectory.t.size,
+        "columns": {name: of_column(each) for name, each in labelled(trajectory).items()},
+    }
+    known["checksum"] = of_recipe(known)
+    return json.dumps(known, ensure_ascii=True, allow_nan=False)
 
 
 def _number(value: float | None) -> float | str | None:
@@ -67,32 +74,31 @@ def _asked_times(trajectory: Trajectory) -> float | list[float] | None:
     return None if t.size == trajectory.t.size else t.tolist()
 
 
-def from_attributes(text: str, t: Array, states: Array, source: Path) -> Trajectory:
-    """The trajectory of these attributes, times (n,) and states (n, d).
+def from_attributes(known: dict[str, Any], t: Array, states: Array, source: Path) -> Trajectory:
+    """The trajectory of a file's recipe, times (n,) and states (..., n, d).
 
     Raises:
-        NotATrajectoryError: where the attributes are not those of a trajectory.
+        NotATrajectoryError: where the recipe is not that of a trajectory.
     """
-    import numpy as np
-
     try:
-        known: dict[str, Any] = json.loads(text)
         system = system_from(known["system"])
-        state = np.array(known["state"], dtype=np.float64)
-        asked = t if known["t"] is None else known["t"]
-        times = asked if isinstance(asked, float) else np.array(asked, dtype=np.float64)
-        request = Request(state=state, t=times, t0=known["t0"], **options_from(known))
+        state = numbers_array("state", known["state"])
+        asked = t if known["t"] is None else numbers_array("t", known["t"], "s")
+        times = asked if asked.ndim else float(asked)
+        origin = finite_number("t0", known["t0"], "s")
+        request = Request(state=state, t=times, t0=origin, **options_from(known))
         method = one_of("method", known["method"], ("exact", *(each.name for each in methods())))
         if states.shape[-1] != state.shape[-1] or state.shape[-1] != len(system.components):
             raise ValueError(f"states of {states.shape[-1]} components")
-        counts = known["outcome"], known["n_steps"], known["n_evaluations"]
-        found = _found(known)
-        run = Trajectory(system, method, t, states, request, *counts, **found)
+        counts = operator.index(known["n_steps"]), operator.index(known["n_evaluations"])
+        outcome = one_of("outcome", known["outcome"], OUTCOMES)
+        run = Trajectory(system, method, t, states, request, outcome, *counts, **_found(known))
         reached = known["reached"] if "reached" in known else _reached(run)
         return replace(run, reached=float(reached))
-    except (AttributeError, KeyError, TypeError, ValueError) as error:
+    except (AttributeError, KeyError, OverflowError, TypeError, ValueError) as error:
         raise NotATrajectoryError(
-            f"{source} does not hold a trajectory of pendula: its attributes lack or spoil {error}"
+            f"{source} does not hold a trajectory of pendula: its attributes lack or spoil "
+            f"{one_line(error)}"
         ) from None
 
 

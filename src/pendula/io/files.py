@@ -1,24 +1,28 @@
-"""The file formats: a writer and a reader each. Readers give (attributes, times, states)."""
+"""The file formats: a writer and a reader each. Readers give what a file claims."""
 
 from __future__ import annotations
 
 import csv
+import math
+from collections.abc import Callable
+from contextlib import AbstractContextManager, contextmanager
+from functools import cache
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from pendula import _engine
 from pendula._attributes import KEY
 from pendula._checks import extra
-from pendula.io.attributes import NotATrajectoryError
-from pendula.io.tables import columns, one_motion, to_pandas, to_xarray
+from pendula._messages import one_line
+from pendula.io.attributes import NotATrajectoryError, attributes
+from pendula.io.columns import labelled
+from pendula.io.netcdf import read_netcdf, write_netcdf
+from pendula.io.tables import one_motion, to_pandas, to_xarray
+from pendula.io.whole import Stored, damaged
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
-    from pathlib import Path
+    from collections.abc import Iterator
 
-    from pendula._types import Array
     from pendula.run.trajectory import Trajectory
-
-    Read = tuple[str, Array, Array]
 
 MARK = f"# {KEY}: "  # before the attributes, in the first line of a CSV file
 
@@ -33,24 +37,19 @@ def packages(ending: str) -> tuple[str, ...]:
     }[ending]
 
 
-def _write_csv(trajectory: Trajectory, attributes: str, path: Path) -> None:
+def _write_csv(trajectory: Trajectory, path: Path) -> None:
     one_motion(trajectory, "a .csv file")
-    table = columns(trajectory)
+    table = labelled(trajectory)
     with path.open("w", encoding="utf-8", newline="") as file:
-        file.write(f"{MARK}{attributes}\n")
+        file.write(f"{MARK}{attributes(trajectory)}\n")
         writer = csv.writer(file, lineterminator="\n")
-        writer.writerow(["t [s]", *(f"{name} [{unit}]" for name, (unit, _) in table.items())])
+        writer.writerow(table)
         # float's own shortest decimal form: it gives the same bits back
-        writer.writerows(
-            zip(
-                trajectory.t.tolist(),
-                *(values.tolist() for _, values in table.values()),
-                strict=True,
-            )
-        )
+        writer.writerows(zip(*(values.tolist() for values in table.values()), strict=True))
 
 
-def _read_csv(path: Path) -> Read:
+@contextmanager
+def _read_csv(path: Path) -> Iterator[Stored]:
     import numpy as np
 
     with path.open(encoding="utf-8", newline="") as file:
@@ -59,68 +58,80 @@ def _read_csv(path: Path) -> Read:
             raise NotATrajectoryError(
                 f"{path} was not written by pendula: its first line lacks {MARK!r}"
             )
-        rows = list(csv.reader(file))
-    if not rows or any(len(row) != len(rows[0]) for row in rows):
-        raise ValueError(
-            f"{path} is not whole: its rows differ in length, or the header is missing"
-        )
+        header, *rows = list(csv.reader(file)) or [[]]
+    if not header:
+        raise NotATrajectoryError(f"{path} is not whole: it has no header")
+    for number, row in enumerate(rows, start=1):
+        if len(row) != len(header):
+            what = f"row {number} has {len(row)} cells of {len(header)}"
+            raise NotATrajectoryError(f"{path} is not whole: {what}")
     try:
-        cells = [[float(cell) for cell in row] for row in rows[1:]]
+        cells = [[float(cell) for cell in row] for row in rows]
     except ValueError as error:
-        raise NotATrajectoryError(f"{path} holds something else than numbers: {error}") from None
-    header, values = rows[0], np.array(cells, dtype=np.float64)
-    names = [name.partition(" [")[0] for name in header]
-    table = {name: values[:, i] if values.size else np.empty(0) for i, name in enumerate(names)}
-    return first[len(MARK) :], table["t"], _states(table, path)
+        raise NotATrajectoryError(
+            f"{path} holds something else than numbers: {one_line(error)}"
+        ) from None
+    values = np.array(cells, dtype=np.float64).reshape(len(rows), len(header))
+    table = dict(zip(header, values.T, strict=True))
+    shapes = dict.fromkeys(table, (len(rows),))
+    yield Stored(first[len(MARK) :], shapes, table.__getitem__, path.stat().st_size)
 
 
-def _states(table: Any, path: Path) -> Array:
-    """The states' columns of a table, (n, d); whose names say which system it is."""
-    import numpy as np
-
-    for entry in _engine.system_entries().values():
-        names = [each.name for each in entry.components]
-        if all(name in table for name in names):
-            return np.stack([np.asarray(table[name], dtype=np.float64) for name in names], axis=-1)
-    raise NotATrajectoryError(f"{path} lacks the columns of a pendulum's states")
-
-
-def _write_parquet(trajectory: Trajectory, attributes: str, path: Path) -> None:
+def _write_parquet(trajectory: Trajectory, path: Path) -> None:
     arrow, parquet = extra("pyarrow", "io"), extra("pyarrow.parquet", "io")
     table = arrow.Table.from_pandas(to_pandas(trajectory), preserve_index=False)
-    parquet.write_table(table.replace_schema_metadata({KEY: attributes}), path)
+    parquet.write_table(table.replace_schema_metadata({KEY: attributes(trajectory)}), path)
 
 
-def _read_parquet(path: Path) -> Read:
-    table = extra("pyarrow.parquet", "io").read_table(path)
-    frame = {name.partition(" [")[0]: table[name].to_numpy() for name in table.column_names}
-    metadata = table.schema.metadata or {}
-    return metadata.get(KEY.encode(), b"{}").decode(), frame["t"], _states(frame, path)
+@contextmanager
+def _read_parquet(path: Path) -> Iterator[Stored]:
+    with extra("pyarrow.parquet", "io").ParquetFile(path) as file:
+        # Of the metadata of columns pyarrow ends the process where they are damaged: only what is
+        # said of the whole file is asked for.
+        count = file.metadata.num_rows
+
+        @cache
+        def table() -> Any:
+            return file.read()
+
+        yield Stored(
+            (file.schema_arrow.metadata or {}).get(KEY.encode(), b"{}").decode(),
+            dict.fromkeys(file.schema_arrow.names, (count,)),
+            lambda label: table()[label].to_numpy(),
+            path.stat().st_size,
+        )
 
 
-def _write_netcdf(trajectory: Trajectory, attributes: str, path: Path) -> None:
-    extra("h5netcdf", "io")
-    to_xarray(trajectory).to_netcdf(path, engine="h5netcdf")
-
-
-def _write_zarr(trajectory: Trajectory, attributes: str, path: Path) -> None:
+def _write_zarr(trajectory: Trajectory, path: Path) -> None:
     extra("zarr", "io")
-    to_xarray(trajectory).to_zarr(path, zarr_format=3, consolidated=False)
+    to_xarray(trajectory).to_zarr(path, zarr_format=3, consolidated=False, write_empty_chunks=True)
 
 
-def _read_dataset(engine: str) -> Callable[[Path], Read]:
-    def read(path: Path) -> Read:
-        xarray = extra("xarray", "io")
-        options = {"consolidated": False} if engine == "zarr" else {}
-        with xarray.open_dataset(path, engine=engine, **options) as dataset:
-            return str(dataset.attrs.get(KEY, "{}")), dataset["t"].values, _states(dataset, path)
+@contextmanager
+def _read_zarr(path: Path) -> Iterator[Stored]:
+    group = extra("zarr", "io").open_group(path, mode="r", zarr_format=3, use_consolidated=False)
+    arrays = {f"{name} [{each.attrs.get('units')}]": each for name, each in group.arrays()}
 
-    return read
+    def column(label: str) -> Any:
+        array = arrays[label]
+        chunks = math.prod(
+            -(-size // step) for size, step in zip(array.shape, array.chunks, strict=True)
+        )
+        there = sum(each.is_file() for each in (path / array.basename / "c").rglob("*"))
+        if there < chunks:  # zarr gives nan for them
+            raise damaged(path, f"{label} lacks {chunks - there} of its {chunks} chunks")
+        return array[...]
+
+    size = sum(each.stat().st_size for each in path.rglob("*") if each.is_file())
+    shapes = {label: each.shape for label, each in arrays.items()}
+    yield Stored(str(group.attrs.get(KEY, "{}")), shapes, column, size)
 
 
-FORMATS: dict[str, tuple[Callable[[Trajectory, str, Path], None], Callable[[Path], Read]]] = {
+FORMATS: dict[
+    str, tuple[Callable[[Trajectory, Path], None], Callable[[Path], AbstractContextManager[Stored]]]
+] = {
     ".csv": (_write_csv, _read_csv),
-    ".nc": (_write_netcdf, _read_dataset("h5netcdf")),
+    ".nc": (write_netcdf, read_netcdf),
     ".parquet": (_write_parquet, _read_parquet),
-    ".zarr": (_write_zarr, _read_dataset("zarr")),
+    ".zarr": (_write_zarr, _read_zarr),
 }

@@ -5,32 +5,16 @@ from __future__ import annotations
 import json
 from typing import TYPE_CHECKING
 
-from pendula import _engine
 from pendula._attributes import KEY
 from pendula._checks import extra
 from pendula._late_methods import method_of
 from pendula.io.attributes import attributes
+from pendula.io.columns import columns, labelled
 from pendula.run.trajectory import Trajectory
 
 if TYPE_CHECKING:
     import pandas as pd
     import xarray as xr
-
-    from pendula._types import Array
-
-
-def columns(trajectory: Trajectory) -> dict[str, tuple[str, Array]]:
-    """Name → (unit, values) of everything a file holds; states first, then what follows from them.
-
-    Values have the shape of the times, (n,), or (m, n) for several exact solutions.
-    """
-    entry = _engine.system_entries()[trajectory.system.name]
-    states = trajectory.states
-    table = {each.name: (each.unit, states[..., i]) for i, each in enumerate(entry.components)}
-    table["kinetic_energy"] = ("J", trajectory.kinetic_energy)
-    table["potential_energy"] = ("J", trajectory.potential_energy)
-    table["energy_error"] = ("1", trajectory.energy_error)
-    return table
 
 
 def one_motion(trajectory: Trajectory, what: str) -> None:
@@ -51,8 +35,7 @@ def to_pandas(trajectory: Trajectory) -> pd.DataFrame:
     """A table with a row for each time; columns such as "theta [rad]" (extra: io)."""
     pandas = extra("pandas", "io")
     one_motion(trajectory, "to_pandas")
-    named = {f"{name} [{unit}]": values for name, (unit, values) in columns(trajectory).items()}
-    frame: pd.DataFrame = pandas.DataFrame({"t [s]": trajectory.t, **named})
+    frame: pd.DataFrame = pandas.DataFrame(labelled(trajectory))
     return frame
 
 

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from pendula import _engine
 from pendula._angles import warn_of_degrees
-from pendula._checks import LARGEST_COUNT, finite_number, one_of, whole_number
+from pendula._checks import LARGEST_COUNT, finite_number, flag, one_of, whole_number
 from pendula._messages import ArgumentError
 
 if TYPE_CHECKING:
@@ -141,8 +141,20 @@ def described(event: Event) -> dict[str, Any]:
 
 
 def event_from(data: dict[str, Any]) -> Event:
-    """The event of its attributes, as files carry them."""
-    return Event(**{**data, "kind": one_of("kind", data["kind"], _engine.EVENT_KINDS)})
+    """The event of its attributes, as files carry them.
+
+    Raises:
+        TypeError, ValueError: for attributes that no event has.
+    """
+    made = Event(**data)
+    return Event(
+        one_of("kind", made.kind, _engine.EVENT_KINDS),
+        whole_number("index", made.index, MOST_RODS) if made.index != 0 else 0,
+        finite_number("value", made.value),
+        flag("every_turn", made.every_turn),
+        _direction(made.direction),
+        _terminal(made.terminal),
+    )
 
 
 def crossings_of(found: Iterable[_engine.Crossings], dimension: int) -> tuple[Crossings, ...]:

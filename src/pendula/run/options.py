@@ -69,9 +69,14 @@ NAMES = tuple(each.name for each in fields(Options))
 
 
 def options_from(data: Mapping[str, Any]) -> dict[str, Any]:
-    """The fields of `Options` of their description; what earlier versions left out is not set."""
+    """The fields of `Options` of their description; what earlier versions left out is not set.
+
+    Raises:
+        TypeError, ValueError: for what is no number, no whole number, or no event.
+    """
     known = {name: data.get(name) for name in NAMES}
-    return {**known, "events": tuple(map(event_from, data.get("events") or ()))}
+    events = tuple(map(event_from, data.get("events") or ()))
+    return checked_types({**known, "events": events}, "options_from")
 
 
 def checked_types(

@@ -8,6 +8,7 @@ from contextlib import closing
 from typing import TYPE_CHECKING, Any
 
 from pendula._checks import check_progress, check_threads, extra
+from pendula._messages import one_line
 from pendula.many.chunks.cluster import check_client, spread
 from pendula.many.chunks.places import place_at
 from pendula.many.chunks.store import Store
@@ -72,7 +73,8 @@ def opened(store: str | os.PathLike[str]) -> xr.Dataset:
 
     Raises:
         FileNotFoundError: where there is no store.
-        ValueError: for a store that cannot be read; later, where a chunk that is used is damaged.
+        ValueError: for a store that cannot be read; later, where a chunk that is used is damaged,
+            or missing though the store was finished.
     """
     xarray, _ = extra("xarray", "io"), extra("zarr", "io")
     from pendula.many.chunks.reading import checked_store
@@ -82,7 +84,9 @@ def opened(store: str | os.PathLike[str]) -> xr.Dataset:
     except FileNotFoundError:
         raise FileNotFoundError(f"no such store: {store}") from None
     except Exception as error:  # the libraries raise whatever they like
-        raise ValueError(f"{store} cannot be read as a store of pendula: {error}") from error
+        raise ValueError(
+            f"{store} cannot be read as a store of pendula: {one_line(error)}"
+        ) from error
     return dataset
 
 

@@ -40,7 +40,11 @@ def write_parquet(
     with replacing(Path(path), overwrite=overwrite) as unfinished:
         made = computed(work, client=client, progress=progress, threads=threads)
         writer = parquet.ParquetWriter(
-            unfinished, table.schema, compression=_COMPRESSION, use_dictionary=table.repeating
+            unfinished,
+            table.schema,
+            compression=_COMPRESSION,
+            use_dictionary=table.repeating,
+            write_page_checksum=True,  # for readers with page_checksum_verification=True
         )
         with closing(made), writer:
             for chunk, arrays in _in_order(made):

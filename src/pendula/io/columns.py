@@ -1,0 +1,44 @@
+"""The columns of a trajectory's table: names, units, values."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from pendula import _engine
+
+if TYPE_CHECKING:
+    from collections.abc import Collection
+
+    from pendula._types import Array
+    from pendula.run.trajectory import Trajectory
+
+TIME = "t [s]"
+
+
+def columns(trajectory: Trajectory) -> dict[str, tuple[str, Array]]:
+    """Name → (unit, values) of everything a file holds; states first, then what follows from them.
+
+    Values have the shape of the times, (n,), or (m, n) for several exact solutions.
+    """
+    entry = _engine.system_entries()[trajectory.system.name]
+    states = trajectory.states
+    table = {each.name: (each.unit, states[..., i]) for i, each in enumerate(entry.components)}
+    table["kinetic_energy"] = ("J", trajectory.kinetic_energy)
+    table["potential_energy"] = ("J", trajectory.potential_energy)
+    table["energy_error"] = ("1", trajectory.energy_error)
+    return table
+
+
+def labelled(trajectory: Trajectory) -> dict[str, Array]:
+    """The times and the columns, by label: "theta [rad]"."""
+    table = {f"{name} [{unit}]": values for name, (unit, values) in columns(trajectory).items()}
+    return {TIME: trajectory.t, **table}
+
+
+def states_labels(labels: Collection[str]) -> list[str]:
+    """Those of the states, in their order; their names say which system it is. None: empty."""
+    for entry in _engine.system_entries().values():
+        wanted = [f"{each.name} [{each.unit}]" for each in entry.components]
+        if all(each in labels for each in wanted):
+            return wanted
+    return []
