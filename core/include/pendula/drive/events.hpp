@@ -130,8 +130,8 @@ class event_tracker {
     const double margin = std::max(detail::unsure * reach, noise);
     const double beside = minus_turns(stepper, part, p, nearest(p.coefficient[0])).coefficient[0];
     const bool first = first_;
-    const bool sure_of_start = first ? begin_run(stepper, part, beside, p, margin)
-                                     : begin(stepper, part, beside, p, margin, found);
+    const bool sure_of_start =
+        first ? begin_run(stepper, part, beside, p, margin) : begin(stepper, part, beside, p, margin, found);
     std::vector<passage> passages;
     const auto turns = [](double angle) { return static_cast<std::int64_t>(angle / detail::turn_head); };
     const std::int64_t lowest = what_.every_turn ? turns(std::floor(p.coefficient[0] - reach)) - 1 : 0;

@@ -22,8 +22,7 @@ class dop853_stepper {
   using point = compensated_point<state>;
   static_assert(has_double_precision<S>, "the coefficients are known to as many digits as a double has");
 
-  dop853_stepper(const Sys& system, double log2_of_tolerance)
-      : inverse_tolerance_squared_(rough_exp2(-2.0 * log2_of_tolerance)) {
+  dop853_stepper(const Sys& system, double log2_of_tolerance) : tolerance_(rough_exp2(log2_of_tolerance)) {
     change(system);
   }
 
@@ -43,7 +42,10 @@ class dop853_stepper {
     now_.at.tail.fill(S(0.0));
     now_.slope = system_.rhs(t, y);
     now_.step = S(0.0);
-    now_.size = rough_exp2(log2_of_amplitude(system_, y));
+    const S squared = amplitude_squared(system_, y), log2_of_size = log2_of_amplitude(system_, y);
+    const auto small = mask_and(less(S(0.0), squared), less(squared, S(1.0)));
+    now_.size =
+        choose(less(log2_of_size, S(-400.0)), rough_exp2(log2_of_size), choose(small, square_root(squared), S(1.0)));
     evaluations_ = S(1.0);
     extra_evaluations_ = S(0.0);
   }
@@ -128,14 +130,20 @@ class dop853_stepper {
     S factor;  // to the length of the step that would just be accepted, with some safety
   };
 
-  // Times the tolerance, which comes in later: an error allowed can be too small for its inverse to be a number.
+  // The inverse of an error allowed in the smallest swings is no number: that of 2^200 times as much is.
+  PENDULA_INLINE S enlarged() const { return choose(less(now_.size, S(0x1p-800)), S(0x1p200), S(1.0)); }
   PENDULA_INLINE state inverse_of_error_allowed() const {
+    const S tolerance = tolerance_ * enlarged();
     state inverse;
     for (std::size_t i = 0; i < inverse.size(); ++i) {
       const S size = i < freedom ? now_.size : frequency_ * now_.size;
-      inverse[i] = S(1.0) / (size + magnitude(now_.at.head[i]));
+      inverse[i] = S(1.0) / (tolerance * (size + magnitude(now_.at.head[i])));
     }
     return inverse;
+  }
+  PENDULA_INLINE S squares(const components& error, const components& inverse_scale) const {
+    const S sum = engine::sum_of_squares(engine::each([&]<std::size_t i> { return error[i] * inverse_scale[i]; }));
+    return sum * (enlarged() * enlarged());
   }
 
   // Error = e5² / √(n (e5² + 0.01 e3²)) of both estimates in parts of what is allowed (Hairer, Nørsett & Wanner 1993,
@@ -143,11 +151,8 @@ class dop853_stepper {
   PENDULA_INLINE estimate estimated(const components& inverse_scale) const {
     const components fifth = engine::template sum<dop853_table::error, 0>(k_, number(length_)),
                      other = engine::template sum<dop853_table::error, 1>(k_, number(length_));
-    const auto squares = [this](const components& parts) {
-      return inverse_tolerance_squared_ * engine::sum_of_squares(parts);
-    };
-    const S e5 = squares(engine::each([&]<std::size_t i> { return fifth[i] * inverse_scale[i]; }));
-    const S e3 = squares(engine::each([&]<std::size_t i> { return (increment_[i] - other[i]) * inverse_scale[i]; }));
+    const S e5 = squares(fifth, inverse_scale);
+    const S e3 = squares(engine::each([&]<std::size_t i> { return increment_[i] - other[i]; }), inverse_scale);
     const S sum = S(static_cast<double>(Sys::dimension)) * (e5 + S(0.01) * e3);
     const S below = choose(equal(sum, S(0.0)), S(1.0), sum);
     const S log2_of_error = rough_log2(e5) - S(0.5) * rough_log2(below);
@@ -162,11 +167,7 @@ class dop853_stepper {
   [[gnu::noinline]] S first_step(double direction, const components& y, const components& inverse_scale) {
     const S unit = S(1.0) / frequency_;
     const components from = engine::paired(now_.slope);
-    const auto squares = [&](const components& a) {
-      return inverse_tolerance_squared_ *
-             engine::sum_of_squares(engine::each([&]<std::size_t i> { return a[i] * inverse_scale[i]; }));
-    };
-    const S of_state = squares(y), of_slope = squares(from) * (unit * unit);
+    const S of_state = squares(y, inverse_scale), of_slope = squares(from, inverse_scale) * (unit * unit);
     const auto large = mask_and(less(S(1e-10), of_state), less(S(1e-10), of_slope));
     const S h0 = choose(large, S(0.01) * square_root(of_state / of_slope), S(1e-6));
     const S length = S(direction) * h0 * unit;
@@ -174,7 +175,8 @@ class dop853_stepper {
     const components slope = engine::paired(
         system_.rhs(time_ + length, engine::unpaired(engine::each([&]<std::size_t i> { return y[i] + h * from[i]; }))));
     evaluations_ = evaluations_ + choose(equal(now_.step, S(0.0)), S(1.0), S(0.0));
-    const S of_change = squares(engine::each([&]<std::size_t i> { return slope[i] - from[i]; })) * (unit * unit);
+    const components change = engine::each([&]<std::size_t i> { return slope[i] - from[i]; });
+    const S of_change = squares(change, inverse_scale) * (unit * unit);
     const S curvature = of_change / (h0 * h0);
     const S larger = choose(less(of_slope, curvature), curvature, of_slope);
     const S h1 = rough_exp2(S(-0.830482023721841) - S(0.0625) * rough_log2(larger));  // (0.01 / √larger)^(1/8)
@@ -259,7 +261,7 @@ class dop853_stepper {
   friend class dop853_stepper;
 
   Sys system_{};
-  S inverse_tolerance_squared_, frequency_, shortest_, longest_;
+  S tolerance_, frequency_, shortest_, longest_;
   memory now_;
   S time_, length_, proposed_;
   components increment_;
