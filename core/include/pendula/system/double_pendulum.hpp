@@ -114,9 +114,8 @@ struct double_pendulum {
     }
 
     S kinetic_energy(const state& y) const {
-      const S delta = y[0] - y[1], half = S(0.5) * delta;  // of two angles in range, it can be beyond it
-      const auto [s, c] = sincos(half);
-      const S cos_delta = choose(less(magnitude(delta), S(largest_angle)), sincos(delta).cos, (c - s) * (c + s));
+      const auto [first, second] = sincos(y[0], y[1]);  // the difference of two angles in range can be beyond it
+      const S cos_delta = first.cos * second.cos + first.sin * second.sin;
       return S(0.5) * (A * y[2] * y[2] + B * y[3] * y[3]) + C * y[2] * y[3] * cos_delta;
     }
     S potential_energy(const state& y) const { return D * one_minus_cos(y[0]) + E * one_minus_cos(y[1]); }
