@@ -231,6 +231,43 @@ def test_normal_modes_solve_the_eigenproblem(system: DoublePendulum) -> None:
         )
 
 
+EXTREME = [
+    DoublePendulum.rods(1e300, 1e-300, 1.0, 1.0),
+    DoublePendulum.rods(1e150, 1e-150, 1.0, 1.0),
+    DoublePendulum.rods(1e-150, 1e150, 1.0, 2.0),
+    DoublePendulum.rods(1e150, 1e150, 1.0, 1e-150, 1e150),
+    DoublePendulum.rods(1e-150, 1e-150, 1e-3, 1.0, 1e-150),
+    DoublePendulum.rods(1e-300, 1e-300, 1.0, 1e150, 1.0),
+    DoublePendulum.rods(1e-300, 1e-300, 1.0, 1e300, 1e300),
+    DoublePendulum.rods(1e300, 1e-300, 1e-150, 1e150, 1.0),
+    DoublePendulum.bobs(1e200, 1e100, 1e-100, 1e-50, 1e100),
+    DoublePendulum.bobs(1e150, 1e-150, 1e-75, 1e75),
+    DoublePendulum.bobs(1e-300, 1e-300, 1e150, 1.0, 1.0),
+    DoublePendulum.bobs(3e100, 1e100, 1e3, 1.0, 1e-300),
+    DoublePendulum.bodies(1e150, 1e150, 1.0, 0.5, 0.5, 1e149, 1e149),
+    DoublePendulum.bodies(1e-100, 1e-200, 1.0, 0.5, 0.0, 1e-101, 1e-201, 1e50),
+    DoublePendulum.bodies(1.0, 1.0, 1.0, 0.5, 1e-300, 0.1, 0.1, 1e-100),  # E is 0, C is not
+]
+
+
+@pytest.mark.parametrize("system", EXTREME, ids=repr)
+def test_normal_modes_do_not_leave_the_range_of_numbers(system: DoublePendulum) -> None:
+    from mpmath import mp, mpf
+
+    modes = system.normal_modes()
+    with mp.workdps(1000):
+        A, B, C, D, E = (mpf(system.constants[name]) for name in "ABCDE")
+        root = mp.sqrt((A * E - B * D) ** 2 + 4 * C * C * D * E)
+        squares = [(A * E + B * D + sign * root) / (2 * (A * B - C * C)) for sign in (-1, 1)]
+        lines = (squares[0] * C, D - squares[0] * A), (E - squares[1] * B, squares[1] * C)
+        for i, (x, y) in enumerate(lines):
+            frequency, length = mp.sqrt(squares[i]), mp.hypot(x, y) * (mp.sign(x) or 1)
+            assert abs(modes.frequencies[i] - frequency) <= 1e-15 * frequency
+            truth = float(x / length), float(y / length)
+            assert modes.shapes[i] == pytest.approx(truth, rel=1e-14, abs=1e-15)
+            assert modes.shapes[i][0] >= 0.0
+
+
 def test_an_unknown_system_is_refused() -> None:
     with pytest.raises(
         ValueError, match=rf"^system must be one of {', '.join(System.classes)}; got 'triple'"
