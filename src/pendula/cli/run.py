@@ -149,4 +149,4 @@ def deliver(run: Trajectory, out: Path | None, *, force: bool, every_row: bool =
         written = "" if out is None else f"{out}: {times_of(run)}; "
         click.echo(f"{written}{summary(run)}")
         if run.request.events:
-            click.echo(f"\n{found(run, every_row=every_row)}")
+            click.echo(f"\n{found(run)}")
