@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from pendula._messages import ArgumentError
+from pendula._rules import broken
 
 if TYPE_CHECKING:
     from pendula._types import Array
@@ -61,7 +62,7 @@ def parting_time(t: ArrayLike, difference: ArrayLike, tolerance: float) -> float
         ValueError: for a tolerance that is not positive.
     """
     if not tolerance > 0:
-        raise ArgumentError("tolerance", "must be positive, got {value}", value=tolerance)
+        raise broken("tolerance", "positive", value=tolerance)
     times, apart = np.asarray(t, dtype=np.float64), np.asarray(difference, dtype=np.float64)
     passed = np.flatnonzero(~(apart <= tolerance))
     if len(passed) == 0:

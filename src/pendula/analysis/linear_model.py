@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from pendula._messages import ArgumentError
+from pendula._rules import broken
 from pendula.run.exact import exact
 from pendula.systems import LinearPendulum, SimplePendulum
 
@@ -42,7 +43,7 @@ def linear_model_error(amplitude: ArrayLike, swings: float = 1.0) -> Array:
     if not np.all((theta0 > 0) & (theta0 < math.pi)):
         raise ArgumentError("amplitude", "must lie between 0 and π rad: it is a release from rest")
     if not swings > 0:
-        raise ArgumentError("swings", "must be positive, got {value}", value=swings)
+        raise broken("swings", "positive", value=swings)
     linear, simple = LinearPendulum(), SimplePendulum()
     t_max = swings * math.tau / simple.natural_frequency
     t = np.linspace(0.0, t_max, math.ceil(_SAMPLES_A_PERIOD * swings) + 1)

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any, ClassVar, cast
 from pendula import _engine
 from pendula._checks import number, states_array
 from pendula._messages import ArgumentError
+from pendula._rules import refuse
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -118,11 +119,7 @@ class System:
 
     def _check(self) -> None:
         """Refuse parameters out of range, or too large or too small together."""
-        fault = _engine.check_system(self._description())
-        if fault is not None:
-            row = _engine.rule_rows()[fault.rule]
-            details = {"value": fault.value, **fault.details}
-            raise ArgumentError(fault.argument, row.english, row.way_out_in_english, **details)
+        refuse(_engine.check_system(self._description()))
 
 
 class ClosedForm(System):

@@ -11,11 +11,12 @@ import numpy as np
 from pendula import _engine
 from pendula._checks import LARGEST_COUNT, one_of, whole_number
 from pendula._recipe_file import RecipeFile, as_toml
+from pendula._rules import refuse
 from pendula.many.sampling import LARGEST_SEED, Distribution, SameAs, Sampler
 from pendula.many.sweep.columns import Columns
 from pendula.many.sweep.recipe import SweepRecipe
 from pendula.run.options import BEST_TOLERANCE, ROWS, checked_types
-from pendula.run.request import Request, checked_name, refuse
+from pendula.run.request import Request, checked_name
 from pendula.systems import System, system_from
 
 if TYPE_CHECKING:
