@@ -30,13 +30,13 @@ from pendula.cli.run import (
     target,
     times_apart,
 )
+from pendula.run.options import STANDARD_METHOD
 
 if TYPE_CHECKING:
     from pendula._engine import SystemEntry
     from pendula._types import Array
 
 _SHOWN = 20_000  # most outputs of a run that is only printed
-_STANDARD = "taylor"
 
 
 def _options(entry: SystemEntry) -> list[click.Parameter]:
@@ -49,7 +49,7 @@ def _options(entry: SystemEntry) -> list[click.Parameter]:
         click.Option(
             ["--method"],
             type=click.Choice(names),
-            default=_STANDARD,
+            default=STANDARD_METHOD,
             show_default=True,
             help="see `pendula methods`",
         ),

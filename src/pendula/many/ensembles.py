@@ -12,7 +12,7 @@ from pendula._messages import ArgumentError
 from pendula._progress import part
 from pendula._rules import broken, refuse
 from pendula.many.tasks import Runs, Task, checked_threads, run_task
-from pendula.run.options import checked_types, takes_options
+from pendula.run.options import STANDARD_METHOD, checked_types, takes_options
 from pendula.run.request import checked_name, times_array
 from pendula.run.trust import DigitsError, digits_states
 from pendula.systems import System, check_system
@@ -71,7 +71,7 @@ def ensemble(
     system: System | Sequence[System],
     states: ArrayLike,
     t: ArrayLike,
-    method: str = "taylor",
+    method: str = STANDARD_METHOD,
     *,
     t0: float = 0.0,
     threads: int | None = None,

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from pendula._engine import method_named
+from pendula._engine import ON_GRID, method_named
 from pendula.run.solve import methods
 from pendula.study.errata import errata
 from pendula.study.runs import METHODS, REPETITIONS
@@ -156,7 +156,7 @@ def _energy_growth(results: Results, name: str) -> float:
     1996, IV.3). The last step is shortened where the end is no multiple of the step.
     """
     end, step = float(results.linear.runs[name].t[-1]), results.recipe.simple.step
-    full = math.floor(end / step + 1e-9)
+    full = math.floor(end / step + ON_GRID)
     frequency = results.pendulum.natural_frequency
     growth = growth_polynomial(method_named(name).stability_polynomial)
 

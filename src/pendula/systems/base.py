@@ -16,7 +16,12 @@ if TYPE_CHECKING:
     from pendula._types import Array
 
 
-STANDARD_GRAVITY = 9.80665  # m/s², 3rd CGPM (1901)
+STANDARD_GRAVITY: float = next(  # of the catalogue [m/s²]
+    row.standard
+    for entry in _engine.system_entries().values()
+    for row in entry.forms[0].parameters
+    if row.name == "gravity" and row.standard is not None
+)
 
 
 class System:

@@ -6,6 +6,7 @@ from dataclasses import dataclass, fields
 from typing import TYPE_CHECKING, Any, ClassVar
 
 from pendula import _engine
+from pendula._attributes import KEY
 from pendula._checks import number, positive_number
 from pendula._messages import ArgumentError
 from pendula._rules import refuse
@@ -50,7 +51,7 @@ class Map:
         own = {each.name: getattr(self, each.name) for each in fields(self)}
         own |= {"system": self.system.description()}
         del own["cells"]
-        return {"pendula": __version__, "map": self.kind, **own, **self.cells.description()}
+        return {KEY: __version__, "map": self.kind, **own, **self.cells.description()}
 
     @property
     def variables(self) -> tuple[Variable, ...]:
