@@ -119,7 +119,7 @@ def test_the_map_says_what_it_is() -> None:
 @pytest.mark.parametrize(
     ("given", "told"),
     [
-        ({"system": SimplePendulum()}, "system must be a double pendulum"),
+        ({"system": SimplePendulum()}, "system must be a DoublePendulum"),
         ({"separation": 0.0}, "separation must be positive"),
         ({"separation": 0.1}, r"separation must lie between 1e-13 and 0.01 rad, got 0.1"),
         ({"separation": 1e-17}, "separation must lie between"),

@@ -196,7 +196,7 @@ def test_progress_rises_to_the_end() -> None:
 @pytest.mark.parametrize(
     ("given", "told"),
     [
-        ({"system": SimplePendulum()}, "system must be a double pendulum such as"),
+        ({"system": SimplePendulum()}, "system must be a DoublePendulum, got"),
         ({"theta1": 1.0}, r"theta1 must be a range \(lo, hi\)"),
         ({"theta2": (1.0, 1.0)}, r"theta2 must be a range \(lo, hi\) with lo < hi"),
         ({"theta2": (1.0, math.nan)}, "theta2 must be a finite number"),

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from pendula.cli.groups import one_each, systems_that
+from pendula.cli.groups import one_each
 from pendula.cli.naming import renaming
 from pendula.cli.options import start_of, start_options, system_of, system_options, value
 from pendula.cli.run import (
@@ -16,6 +16,7 @@ from pendula.cli.run import (
     target,
     times_apart,
 )
+from pendula.systems import systems_that
 
 if TYPE_CHECKING:
     import click

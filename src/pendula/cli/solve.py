@@ -9,7 +9,7 @@ import click
 
 from pendula import _engine
 from pendula.cli.events import EXAMPLES, check_events_file, event_of, write_found
-from pendula.cli.groups import one_each, systems_that
+from pendula.cli.groups import one_each
 from pendula.cli.options import (
     run_options,
     run_options_of,
@@ -31,6 +31,7 @@ from pendula.cli.run import (
     times_apart,
 )
 from pendula.run.options import STANDARD_METHOD
+from pendula.systems import systems_that
 
 if TYPE_CHECKING:
     from pendula._engine import SystemEntry

@@ -11,6 +11,8 @@ from pendula._messages import ArgumentError
 from pendula._rules import refuse
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     from numpy.typing import ArrayLike
 
     from pendula._types import Array
@@ -167,6 +169,19 @@ class ClosedForm(System):
             raise ArgumentError("state", rule, value=float(speeds.max()))
 
 
+def systems_that(
+    can: Callable[[_engine.Capabilities], bool] = lambda _: True,
+) -> list[_engine.SystemEntry]:
+    """The catalogue's systems of which there is a class here, with a capability; or all."""
+    entries = _engine.system_entries()
+    return [entries[name] for name in entries if name in System.classes and can(entries[name].can)]
+
+
+def class_names_that(can: Callable[[_engine.Capabilities], bool]) -> list[str]:
+    """The names of their classes."""
+    return [System.classes[entry.name].__name__ for entry in systems_that(can)]
+
+
 def with_closed_form(system: object) -> ClosedForm:
     """The system, which has a closed form.
 
@@ -175,13 +190,11 @@ def with_closed_form(system: object) -> ClosedForm:
     """
     one = check_system(system)
     if not one.can.closed_form:
-        entries = _engine.system_entries().values()
-        names = [System.classes[each.name].__name__ for each in entries if each.can.closed_form]
         raise ArgumentError(
             "system",
             "must be a {any_of}, got {value}: no closed form is known",
             "use <call=solve>",
-            any_of=names,
+            any_of=class_names_that(lambda can: can.closed_form),
             value=system,
         )
     return cast("ClosedForm", one)

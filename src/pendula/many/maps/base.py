@@ -16,7 +16,7 @@ from pendula.many.maps.cells import Cells, checked_cells
 from pendula.many.tasks import Runs, Task, checked_threads, run_task
 from pendula.run.options import BEST_TOLERANCE
 from pendula.run.request import Request
-from pendula.systems import System, check_system
+from pendula.systems import System, check_system, class_names_that
 
 if TYPE_CHECKING:
     import numpy as np
@@ -97,8 +97,8 @@ def checked_map(
     """
     one = check_system(system)
     if not one.can.mapped:
-        rule = "must be a double pendulum such as DoublePendulum.rods(), got {value}"
-        raise ArgumentError("system", rule, value=system)
+        names = class_names_that(lambda can: can.mapped)
+        raise ArgumentError("system", "must be a {any_of}, got {value}", any_of=names, value=system)
     cells = checked_cells(theta1, theta2, shape)
     end = positive_number("t_max", t_max, "s")
     checked_tolerance(one, end, None)
