@@ -96,14 +96,14 @@ def test_the_picture(call: Call, kind: str, ending: str, start: bytes) -> None:
 # ---- what is there already ----
 
 
-def test_a_store_is_gone_on_with_or_begun_anew_only_when_told(call: Call) -> None:
+def test_a_store_is_gone_on_with_or_started_again_only_when_asked(call: Call) -> None:
     assert call(f"{FLIP} -o flips.zarr")[0] == 0
     times = Path("flips.zarr/flip_time/c.0.0")
     before = times.read_bytes()
     times.unlink()
     code, _, told = call(f"{FLIP} -o flips.zarr")
     assert code == 2
-    assert "flips.zarr exists; pass --resume to go on with it, --force to begin anew" in told
+    assert "flips.zarr exists; pass --resume to go on with it, --force to start again" in told
     assert not times.exists()
     assert call(f"{FLIP} -o flips.zarr --resume")[0] == 0
     assert times.read_bytes() == before

@@ -72,13 +72,13 @@ def test_each_outcome_is_counted(call: Call) -> None:
     assert printed.endswith(f"; {reached} reached_end, {limit} step_limit\n")
 
 
-def test_an_existing_store_is_gone_on_with_or_begun_anew_only_if_asked_to(call: Call) -> None:
+def test_an_existing_store_is_gone_on_with_or_started_again_only_if_asked_to(call: Call) -> None:
     assert call("sweep rods.toml -o rods.zarr --resume")[0] == 0  # there is none yet
     whole = files(Path("rods.zarr"))
     code, printed, told = call("sweep rods.toml -o rods.zarr")
     assert (code, printed) == (2, "")
     assert told == (
-        "pendula: rods.zarr exists; pass --resume to go on with it, --force to begin anew, "
+        "pendula: rods.zarr exists; pass --resume to go on with it, --force to start again, "
         "or choose another name\n"
     )
     Path("rods.zarr/energy/c.1.0").unlink()
