@@ -132,7 +132,7 @@ def kept() -> dict[Path, str]:
         ("study --out x --lang fr", "'fr' is not one of 'en', 'es'"),
     ],
 )
-def test_wrong_use_is_told_in_one_line(
+def test_wrong_use_is_reported_in_one_line(
     line: str, message: str, capsys: pytest.CaptureFixture[str]
 ) -> None:
     printed = told(line.split(), 2, capsys)
