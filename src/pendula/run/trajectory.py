@@ -116,7 +116,7 @@ class Trajectory:
         if self.system.can.periodic:
             angles = self.request.state[..., : self.system.can.degrees_of_freedom]
             off = _ROUNDINGS * np.spacing(np.abs(angles)).max(axis=-1)
-            rest = np.maximum(rest, 0.5 * least * off**2)
+            rest = np.maximum(rest, 0.5 * least * np.minimum(off, 1.0) ** 2)
         scale: Array = np.where(start <= rest, np.maximum(start, least), start)
         return scale
 
