@@ -239,14 +239,13 @@ EXTREME = [
     DoublePendulum.rods(1e-150, 1e-150, 1e-3, 1.0, 1e-150),
     DoublePendulum.rods(1e-300, 1e-300, 1.0, 1e150, 1.0),
     DoublePendulum.rods(1e-300, 1e-300, 1.0, 1e300, 1e300),
-    DoublePendulum.rods(1e300, 1e-300, 1e-150, 1e150, 1.0),
+    DoublePendulum.rods(1e300, 1e-300, 1e-3, 1e150, 1.0),
     DoublePendulum.bobs(1e200, 1e100, 1e-100, 1e-50, 1e100),
     DoublePendulum.bobs(1e150, 1e-150, 1e-75, 1e75),
     DoublePendulum.bobs(1e-300, 1e-300, 1e150, 1.0, 1.0),
     DoublePendulum.bobs(3e100, 1e100, 1e3, 1.0, 1e-300),
     DoublePendulum.bodies(1e150, 1e150, 1.0, 0.5, 0.5, 1e149, 1e149),
     DoublePendulum.bodies(1e-100, 1e-200, 1.0, 0.5, 0.0, 1e-101, 1e-201, 1e50),
-    DoublePendulum.bodies(1.0, 1.0, 1.0, 0.5, 1e-300, 0.1, 0.1, 1e-100),  # E is 0, C is not
 ]
 
 
@@ -266,6 +265,33 @@ def test_normal_modes_do_not_leave_the_range_of_numbers(system: DoublePendulum) 
             truth = float(x / length), float(y / length)
             assert modes.shapes[i] == pytest.approx(truth, rel=1e-14, abs=1e-15)
             assert modes.shapes[i][0] >= 0.0
+
+
+@pytest.mark.parametrize(
+    ("make", "values", "constant"),
+    [
+        ("rods", (1e-300, 1e-300, 1e-10, 1e150), "A"),  # 1e-320 has three digits
+        ("rods", (1.0, 1e-300, 1.0, 1e-10), "B"),
+        ("rods", (1e-100, 1e-100, 1.0, 1.0, 1e-220), "D"),
+        ("rods", (1.0, 1e-300, 1e-300, 1.0), "A|C|determinant_floor"),
+        ("bodies", (1.0, 1.0, 1.0, 0.5, 1e-300, 0.1, 0.1, 1e-100), "E"),  # 0, but c2 is not
+        ("bobs", (1e-14, 1.0, 1.7, 1.9), "determinant_floor"),  # the difference of 1 and 1
+        ("bobs", (1.1e150, 1.3e300, 1.7e-150, 1.9e-150), "determinant_floor"),
+    ],
+)
+def test_parameters_whose_constants_have_lost_their_digits_are_refused(
+    make: str, values: tuple[float, ...], constant: str
+) -> None:
+    rule = f"^parameters cannot be computed with: their constant ({constant}) is "
+    with pytest.raises(ValueError, match=rule):
+        getattr(DoublePendulum, make)(*values)
+
+
+@pytest.mark.parametrize("values", [(1e-160, 1.0, 1e-160), (1.0, 1e-320, 1.0)])
+def test_a_bob_whose_constants_have_lost_their_digits_is_refused(values: tuple[float, ...]) -> None:
+    for kind in (LinearPendulum, SimplePendulum):
+        with pytest.raises(ValueError, match="^parameters cannot be computed with"):
+            kind(*values)
 
 
 def test_an_unknown_system_is_refused() -> None:

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import math
+import sys
 from typing import TYPE_CHECKING, Any, ClassVar, cast
 
 from pendula import _engine
 from pendula._checks import number, states_array
 from pendula._messages import ArgumentError
-from pendula._rules import refuse
+from pendula._rules import broken, refuse
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -127,6 +128,11 @@ class System:
     def _check(self) -> None:
         """Refuse parameters out of range, or too large or too small together."""
         refuse(_engine.check_system(self._description()))
+        constants, whole = self.constants, all(self.parameters.values())
+        for name, value in constants.items():
+            # what is below the normal doubles has lost digits, or all of them
+            if abs(value) < sys.float_info.min and (value or whole):
+                raise broken("parameters", "constants", constant=name, value=value)
 
 
 class ClosedForm(System):
