@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shlex
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -11,7 +12,7 @@ from hypothesis import settings
 from pendula.cli import main
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Callable, Iterator
 
     import xarray as xr
 
@@ -30,9 +31,21 @@ def call(
     monkeypatch.chdir(tmp_path)
 
     def run(line: str) -> tuple[int, str, str]:
-        code = main(line.split())
+        code = main(shlex.split(line))
         printed = capsys.readouterr()
         return code, printed.out, printed.err
+
+    return run
+
+
+@pytest.fixture
+def lines_of(call: Call) -> Callable[[str], list[str]]:
+    """Run the command successfully: the lines it prints."""
+
+    def run(line: str) -> list[str]:
+        code, out, err = call(line)
+        assert (code, err) == (0, "")
+        return out.splitlines()
 
     return run
 

@@ -30,7 +30,7 @@ from pendula.many.chunks.store import Store
 IMPORTED = xarray, zarr.storage, pendula.many.chunks.reading
 
 KILLS = 10
-TRACED = ("open", "os.mkdir", "os.rename", "os.remove")  # told by Python before they are done
+TRACED = ("open", "os.mkdir", "os.rename", "os.remove")  # reported by Python before they are done
 
 
 def write(work: Work, store: Path) -> None:

@@ -9,9 +9,10 @@ import numpy as np
 import pytest
 
 from catalogue import SYSTEMS, TAKEN, any_states, control, label, some_state
-from pendula import action, divergence_map, exact, flip_map, solve, time_at
+from pendula import DoublePendulum, action, divergence_map, exact, flip_map, solve, time_at
 from pendula._messages import ArgumentError
-from pendula.systems import ClosedForm, System
+from pendula.cli.groups import one_each
+from pendula.systems import ClosedForm, System, class_names_that, systems_that
 
 every_system = pytest.mark.parametrize("system", SYSTEMS, ids=label)
 
@@ -132,3 +133,24 @@ def test_what_is_said_of_a_pendulum_is_of_its_size(system: System) -> None:
     assert system.energy_scale > 0.0
     assert system.energy(some_state(system)) < 10 * system.energy_scale
     assert all(math.isfinite(value) for value in system.constants.values())
+
+
+def test_a_system_of_the_core_alone_is_offered_nowhere(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Until it has its class the command and the ways out name the others."""
+    assert {each.name for each in systems_that()} == set(System.classes)
+    monkeypatch.delitem(System.classes, "linear")
+    assert [each.name for each in systems_that()] == ["simple", "double"]
+    group = one_each("solve", "Solve.", systems_that(), lambda _: [], lambda _: None)
+    assert list(group.commands) == ["simple", "double"]
+    with pytest.raises(ArgumentError, match="^system must be a SimplePendulum, got"):
+        exact(DoublePendulum.rods(), (1.0, 0.0), [1.0])
+
+
+@every_system
+def test_who_cannot_be_mapped_reads_who_can(system: Any) -> None:
+    square: Any = (-1.0, 1.0), (-1.0, 1.0), (3, 3), 0.5
+    if not system.can.mapped:
+        names = " or ".join(class_names_that(lambda can: can.mapped))
+        for make in (flip_map, divergence_map):
+            with pytest.raises(ArgumentError, match=f"^system must be a {names}, got"):
+                make(system, *square)

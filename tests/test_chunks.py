@@ -30,13 +30,13 @@ def even(compute: Even, chunk: int = 8) -> Work:
 
 
 def test_a_mirrored_work_is_half_the_work(tmp_path: Path) -> None:
-    half, all_of_it, told = Even(), Even(), list[float]()
+    half, all_of_it, parts = Even(), Even(), list[float]()
     work = mirrored(even(half))
-    xr.testing.assert_identical(run(work, progress=told.append), run(even(all_of_it)))
+    xr.testing.assert_identical(run(work, progress=parts.append), run(even(all_of_it)))
     assert len(half.asked) == 5
     assert len(all_of_it.asked) == 9
-    assert told == sorted(told)
-    assert told[-1] == 1.0
+    assert parts == sorted(parts)
+    assert parts[-1] == 1.0
     run(work, tmp_path / "half.zarr")
     run(even(all_of_it), tmp_path / "all.zarr")
     assert files(tmp_path / "half.zarr") == files(tmp_path / "all.zarr")
@@ -51,7 +51,7 @@ def test_a_mirrored_work_is_half_the_work(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    ("told", "message"),
+    ("given", "message"),
     [
         ({"axes": (Axis("x", 3),)}, "needs a cut axis"),
         ({"variables": ()}, "needs a cut axis and variables"),
@@ -61,10 +61,10 @@ def test_a_mirrored_work_is_half_the_work(tmp_path: Path) -> None:
         ({"variables": (Variable("a", ("t",), "bool", 0),)}, "a must have the cut axes"),
     ],
 )
-def test_a_work_that_cannot_be_is_refused(told: dict[str, Any], message: str) -> None:
+def test_a_work_that_cannot_be_is_refused(given: dict[str, Any], message: str) -> None:
     good = {"axes": (Axis("x", 3, 1),), "variables": (Variable("a", ("x",), "bool", 0),)}
     with pytest.raises(ValueError, match=message):
-        Work(inputs={}, compute=Waves(), **{**good, **told})
+        Work(inputs={}, compute=Waves(), **{**good, **given})
 
 
 @pytest.mark.parametrize("wrong", [np.zeros((3, 24)), np.zeros((30, 24), bool), None])

@@ -48,7 +48,7 @@ def test_the_catalogue_gives_the_options(entry: _engine.SystemEntry) -> None:
     state = {row.name for row in entry.components}
     forms = {form.name for form in entry.forms} if len(entry.forms) > 1 else set()
     options = options_of("solve", entry.name)
-    own = {"t0", "t-max", "method", "every", "output", "force", "event"}
+    own = {"t0", "t-max", "method", "every", "output", "force", "event", "events-file"}
     own |= {row.name.replace("_", "-") for row in _engine.option_rows()}
     assert {name[2:] for name in options if name.startswith("--")} == rows | state | forms | own
     method = options["--method"].type

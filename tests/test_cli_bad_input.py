@@ -115,7 +115,11 @@ def kept() -> dict[Path, str]:
         ("exact simple --at 1s --every 1s", "name the times with --at 1s,2s or with --t-max"),
         ("exact simple --at 0,5", "or 0.5 for one value with a decimal point"),
         ("exact simple --at 1s --theta 1e16rad", "the start must "),
-        ("exact linear --at 1e80s", "the time must lie within 2^50 half periods of --t0"),
+        ("exact linear --at 1e80s", "--at must lie within 2^50 half periods of --t0"),
+        ("exact linear --t-max 1e80s", "--t-max must lie within 2^50 half periods of --t0"),
+        ("exact simple --at 1s,1e80s", "--at must lie within 2^200 half periods of --t0"),
+        ("solve double --t-max 1e300s", "--t-max must be small enough to tell times apart"),
+        ("solve simple --t0 1e17s --t-max 2e17s", "--t-max must be small enough to tell times"),
         ("period simple", "give amplitudes with --amplitude 30deg,60deg, or a state with --theta"),
         ("period simple --amplitude 1rad --omega 1rad/s", "give amplitudes with --amplitude"),
         ("period simple --amplitude 30,60deg", "'30' in the list '30,60deg' has no unit"),
@@ -128,7 +132,7 @@ def kept() -> dict[Path, str]:
         ("study --out x --lang fr", "'fr' is not one of 'en', 'es'"),
     ],
 )
-def test_wrong_use_is_told_in_one_line(
+def test_wrong_use_is_reported_in_one_line(
     line: str, message: str, capsys: pytest.CaptureFixture[str]
 ) -> None:
     printed = told(line.split(), 2, capsys)

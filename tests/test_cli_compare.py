@@ -22,7 +22,7 @@ DOUBLE = "compare double --theta1 120deg --theta2 -10deg --t-max 1s --points 3"
 
 
 def test_a_row_for_each_method_that_takes_the_system(call: Call) -> None:
-    code, printed, told = call(QUICK)
+    code, printed, error = call(QUICK)
     assert code == 0
     lines = printed.splitlines()
     names = [each.name for each in methods() if "simple" in each.systems]
@@ -30,7 +30,7 @@ def test_a_row_for_each_method_that_takes_the_system(call: Call) -> None:
     assert [line.split()[0] for line in lines[1 : len(names) + 1]] == names
     assert lines[len(names) + 1].startswith("Largest error of any angle at 12 times, compared ")
     assert "the exact solution" in lines[len(names) + 1]
-    assert [line.split()[1] for line in told.splitlines()] == ["reference", *names, "done"]
+    assert [line.split()[1] for line in error.splitlines()] == ["reference", *names, "done"]
     assert max(map(len, lines[: len(names) + 1])) <= 100
     assert list(Path().iterdir()) == []
 
@@ -47,12 +47,12 @@ def test_the_table_tells_what_an_error_costs(call: Call) -> None:
 
 
 def test_the_methods_are_those_named(call: Call) -> None:
-    code, printed, told = call(f"{DOUBLE} --methods taylor,rk4,taylor")
+    code, printed, error = call(f"{DOUBLE} --methods taylor,rk4,taylor")
     assert code == 0
     assert [line.split()[0] for line in printed.splitlines()[1:3]] == ["taylor", "rk4"]
     assert "a run correct to 15 digits, computed with " in printed
     assert "coefficient" in printed
-    assert len(told.splitlines()) == 4
+    assert len(error.splitlines()) == 4
 
 
 def test_the_files_hold_the_runs(call: Call) -> None:
@@ -84,16 +84,16 @@ def test_the_picture_has_its_language(call: Call, language: str) -> None:
 def test_force_replaces_both_files(call: Call) -> None:
     for name in ("work.json", "work.png"):
         Path(name).write_text("old")
-    told = "--methods rk4 -o work.json --picture work.png"
-    assert call(f"{QUICK} {told}")[0] == 2
+    files = "--methods rk4 -o work.json --picture work.png"
+    assert call(f"{QUICK} {files}")[0] == 2
     assert Path("work.json").read_text() == Path("work.png").read_text() == "old"
-    assert call(f"{QUICK} {told} --force")[0] == 0
+    assert call(f"{QUICK} {files} --force")[0] == 0
     assert json.loads(Path("work.json").read_text())["rows"][0]["method"] == "rk4"
     assert Path("work.png").read_bytes().startswith(b"\x89PNG")
 
 
 @pytest.mark.parametrize(
-    ("line", "told"),
+    ("line", "message"),
     [
         ("compare", "name a system: linear, simple, double"),
         ("compare triple", "no system 'triple'"),
@@ -113,12 +113,12 @@ def test_force_replaces_both_files(call: Call) -> None:
         ("compare simple --length 0,5m --t-max 1s", "write 0.5m"),
     ],
 )
-def test_wrong_use_is_one_line(call: Call, line: str, told: str) -> None:
+def test_wrong_use_is_one_line(call: Call, line: str, message: str) -> None:
     code, printed, error = call(line)
     assert (code, printed) == (2, "")
     assert error.count("\n") == 1
     assert error.startswith("pendula: ")
-    assert told in error
+    assert message in error
     assert list(Path().iterdir()) == []
 
 
@@ -142,7 +142,7 @@ def test_a_disk_that_is_full_leaves_nothing(call: Call, monkeypatch: pytest.Monk
 
 @pytest.mark.parametrize("line", ["compare double --t-max 2000s", "compare simple --t-max 90000s"])
 def test_ctrl_c_ends_it_without_a_file(line: str, tmp_path: Path) -> None:
-    code, printed, told = interrupted(tmp_path, f"{line} -o x.csv --points 100", when=1.5)
+    code, printed, error = interrupted(tmp_path, f"{line} -o x.csv --points 100", when=1.5)
     assert (code, printed) == (130, "")
-    assert told.splitlines()[-1] == "pendula: interrupted"
+    assert error.splitlines()[-1] == "pendula: interrupted"
     assert list(tmp_path.iterdir()) == []

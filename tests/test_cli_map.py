@@ -27,8 +27,8 @@ FLIP = "map flip double --size 10x12 --t-max 5s"
 
 @pytest.mark.parametrize("ending", ["zarr", "nc"])
 def test_the_file_holds_the_map(call: Call, ending: str) -> None:
-    code, printed, told = call(f"{FLIP} -o flips.{ending}")
-    assert (code, told) == (0, "")
+    code, printed, error = call(f"{FLIP} -o flips.{ending}")
+    assert (code, error) == (0, "")
     assert printed.startswith(f"flips.{ending}: 10 x 12 cells; ")
     expected = flip_map(RODS, (-PI, PI), (-PI, PI), (10, 12), 5.0)
     path = f"flips.{ending}"
@@ -96,20 +96,20 @@ def test_the_picture(call: Call, kind: str, ending: str, start: bytes) -> None:
 # ---- what is there already ----
 
 
-def test_a_store_is_gone_on_with_or_begun_anew_only_when_told(call: Call) -> None:
+def test_a_store_is_gone_on_with_or_started_again_only_when_asked(call: Call) -> None:
     assert call(f"{FLIP} -o flips.zarr")[0] == 0
     times = Path("flips.zarr/flip_time/c.0.0")
     before = times.read_bytes()
     times.unlink()
-    code, _, told = call(f"{FLIP} -o flips.zarr")
+    code, _, error = call(f"{FLIP} -o flips.zarr")
     assert code == 2
-    assert "flips.zarr exists; pass --resume to go on with it, --force to begin anew" in told
+    assert "flips.zarr exists; pass --resume to go on with it, --force to start again" in error
     assert not times.exists()
     assert call(f"{FLIP} -o flips.zarr --resume")[0] == 0
     assert times.read_bytes() == before
-    code, _, told = call("map flip double --size 10x12 --t-max 6s -o flips.zarr --resume")
+    code, _, error = call("map flip double --size 10x12 --t-max 6s -o flips.zarr --resume")
     assert code == 2
-    assert "holds another computation: t_max is 5.0 there and 6.0 here" in told
+    assert "holds another computation: t_max is 5.0 there and 6.0 here" in error
     assert call("map flip double --size 10x12 --t-max 6s -o flips.zarr --force")[0] == 0
     assert json.loads(chunks.opened("flips.zarr").pendula)["t_max"] == 6.0
     assert call("map flip double --size 8 --t-max 6s -o new.zarr --resume")[0] == 0  # none is there
@@ -119,9 +119,9 @@ def test_a_store_is_gone_on_with_or_begun_anew_only_when_told(call: Call) -> Non
 def test_files_are_replaced_only_when_told(call: Call, name: str) -> None:
     path = Path(name.split()[1])
     path.write_text("old")
-    code, _, told = call(f"{FLIP} {name}")
+    code, _, error = call(f"{FLIP} {name}")
     assert code == 2
-    assert told == f"pendula: {path} exists; choose another name, or pass --force\n"
+    assert error == f"pendula: {path} exists; choose another name, or pass --force\n"
     assert path.read_text() == "old"
     assert call(f"{FLIP} {name} --force")[0] == 0
     assert path.read_bytes() != b"old"
@@ -129,15 +129,15 @@ def test_files_are_replaced_only_when_told(call: Call, name: str) -> None:
 
 def test_a_picture_in_the_way_of_going_on(call: Call) -> None:
     Path("old.png").write_text("old")
-    code, _, told = call(f"{FLIP} -o flips.zarr --resume --picture old.png")
-    assert (code, told) == (2, "pendula: old.png exists; remove it, or name another\n")
+    code, _, error = call(f"{FLIP} -o flips.zarr --resume --picture old.png")
+    assert (code, error) == (2, "pendula: old.png exists; remove it, or name another\n")
 
 
 # ---- wrong use ----
 
 
 @pytest.mark.parametrize(
-    ("line", "told"),
+    ("line", "message"),
     [
         ("map", "name a map: flip, divergence"),
         ("map heat", "no map 'heat'; take one of flip, divergence"),
@@ -175,10 +175,10 @@ def test_a_picture_in_the_way_of_going_on(call: Call) -> None:
         ("map divergence double --t-max 1s --which 1", "No such option"),
     ],
 )
-def test_wrong_use_is_one_line(call: Call, line: str, told: str) -> None:
+def test_wrong_use_is_one_line(call: Call, line: str, message: str) -> None:
     code, printed, said = call(line)
     assert (code, printed) == (2, "")
-    assert told in said
+    assert message in said
     assert said.count("\n") == 1
     assert list(Path().iterdir()) == []
 
@@ -213,10 +213,10 @@ from pendula.cli import main
 from pendula.many.maps import cells, flip
 cells.LARGEST_CHUNK = 50
 compute, first = flip.FlipMap.__call__, iter(["ready"])
-def told(*given):
+def reporting(*given):
     print(*(word + chr(10) for word in first), end="", flush=True)
     return compute(*given)
-flip.FlipMap.__call__ = told
+flip.FlipMap.__call__ = reporting
 sys.exit(main(sys.argv[1:]))
 """
 
@@ -226,9 +226,9 @@ def test_ctrl_c_tells_how_to_go_on(output: str, tmp_path: Path) -> None:
     line = f"map flip double --size 4000 --t-max 100s --threads 1 {output}"
     first = tmp_path / "flips.zarr" / "resolved"
     when = (lambda: len(list(first.glob("c.*"))) > 3) if "zarr" in output else 0.0
-    code, printed, told = interrupted(tmp_path, line, when, MAP_THAT_TELLS)
+    code, printed, error = interrupted(tmp_path, line, when, MAP_THAT_TELLS)
     assert (code, printed) == (130, "")
-    last = told.splitlines()[-1]
+    last = error.splitlines()[-1]
     if output != "-o flips.zarr":
         words = "nothing is written; a .zarr store would be resumable"
         assert last == f"pendula: interrupted; {words}"

@@ -25,7 +25,7 @@ EXISTS = Message(
         *(("step", "--step"), ("t_max", "--t-max"), ("store", "--output"), ("shape", "--size")),
         *(("length", "--length"), ("theta1", "--theta1"), ("I1", "--I1"), ("client", "client")),
         *(("max_steps", "--max-steps"), ("methods", "--methods"), ("which", "--which")),
-        *(("t", "the time"), ("state", "the start"), ("i", "the rod of an --event")),
+        *(("t", "--t-max"), ("state", "the start"), ("i", "the rod of an --event")),
     ],
 )
 def test_arguments_are_options(argument: str, option: str) -> None:
@@ -74,5 +74,5 @@ def test_errors_keep_their_data_on_the_way_from_a_worker() -> None:
             "digits",
         )
         assert again.message.details == {"digits": 9}
-        assert COMMAND.one_line(again) == "--digits = 9 at the time; take --digits 3"
+        assert COMMAND.one_line(again) == "--digits = 9 at --t-max; take --digits 3"
         assert message_of(again) == str(error)

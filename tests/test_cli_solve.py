@@ -5,7 +5,6 @@ from __future__ import annotations
 import json
 import math
 import re
-import shlex
 import sys
 from dataclasses import replace
 from pathlib import Path
@@ -30,19 +29,9 @@ START = [row.standard for row in _engine.system_entries()["double"].components]
 
 
 @pytest.fixture
-def call(
-    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, tmp_path: Path
-) -> Call:
+def call(lines_of: Call) -> Call:
     """Run the command in an empty folder, successfully: the lines it prints."""
-    monkeypatch.chdir(tmp_path)
-
-    def run(line: str) -> list[str]:
-        code = main(shlex.split(line))
-        printed = capsys.readouterr()
-        assert (code, printed.err) == (0, "")
-        return printed.out.splitlines()
-
-    return run
+    return lines_of
 
 
 def test_no_method_is_taylor_at_its_best(call: Call) -> None:
@@ -81,13 +70,6 @@ def test_events_are_a_table_below_the_run(call: Call) -> None:
         assert [int(row[1]) for row in own] == list(range(1, found.times.size + 1))
         assert [float(row[2]) for row in own] == pytest.approx(found.times, rel=1e-9)
         assert [float(row[4]) for row in own] == pytest.approx(found.states[:, 1], rel=1e-5)
-
-
-def test_many_events_are_shortened_as_a_run_is(call: Call) -> None:
-    lines = call("solve simple --t-max 100s --every 100s --event 'velocity-zero 1'")
-    rows = lines[lines.index("") + 2 :]
-    assert len(rows) == 11
-    assert rows[0].split()[2] == "1"
 
 
 def test_an_event_may_end_the_run(call: Call) -> None:

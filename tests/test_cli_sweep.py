@@ -72,23 +72,23 @@ def test_each_outcome_is_counted(call: Call) -> None:
     assert printed.endswith(f"; {reached} reached_end, {limit} step_limit\n")
 
 
-def test_an_existing_store_is_gone_on_with_or_begun_anew_only_if_asked_to(call: Call) -> None:
+def test_an_existing_store_is_gone_on_with_or_started_again_only_if_asked_to(call: Call) -> None:
     assert call("sweep rods.toml -o rods.zarr --resume")[0] == 0  # there is none yet
     whole = files(Path("rods.zarr"))
-    code, printed, told = call("sweep rods.toml -o rods.zarr")
+    code, printed, error = call("sweep rods.toml -o rods.zarr")
     assert (code, printed) == (2, "")
-    assert told == (
-        "pendula: rods.zarr exists; pass --resume to go on with it, --force to begin anew, "
+    assert error == (
+        "pendula: rods.zarr exists; pass --resume to go on with it, --force to start again, "
         "or choose another name\n"
     )
     Path("rods.zarr/energy/c.1.0").unlink()
     assert call("sweep rods.toml -o rods.zarr --resume")[0] == 0
     assert files(Path("rods.zarr")) == whole
     Path("rods.toml").write_text(RECIPE.replace("1e-10", "1e-6"), encoding="utf-8")
-    code, _, told = call("sweep rods.toml -o rods.zarr --resume")
+    code, _, error = call("sweep rods.toml -o rods.zarr --resume")
     assert code == 2
-    assert "sweep.tolerance is 1e-10 there and 1e-06 here; choose another name, or pass" in told
-    assert "pass --force\n" in told
+    assert "sweep.tolerance is 1e-10 there and 1e-06 here; choose another name, or pass" in error
+    assert "pass --force\n" in error
     assert files(Path("rods.zarr")) == whole
     assert call("sweep rods.toml -o rods.zarr --force")[0] == 0
     assert files(Path("rods.zarr")) != whole
@@ -96,15 +96,15 @@ def test_an_existing_store_is_gone_on_with_or_begun_anew_only_if_asked_to(call: 
 
 def test_an_existing_parquet_file_is_replaced_only_if_asked_to(call: Call) -> None:
     Path("rods.parquet").write_text("old")
-    code, _, told = call("sweep rods.toml -o rods.parquet")
+    code, _, error = call("sweep rods.toml -o rods.parquet")
     assert (code, Path("rods.parquet").read_text()) == (2, "old")
-    assert told == "pendula: rods.parquet exists; choose another name, or pass --force\n"
+    assert error == "pendula: rods.parquet exists; choose another name, or pass --force\n"
     assert call("sweep rods.toml -o rods.parquet --force")[0] == 0
     assert Path("rods.parquet").read_bytes().startswith(b"PAR1")
 
 
 @pytest.mark.parametrize(
-    ("line", "told"),
+    ("line", "message"),
     [
         ("sweep", "Missing argument 'RECIPE'"),
         ("sweep rods.toml", "Missing option '-o' / '--output'"),
@@ -120,14 +120,14 @@ def test_an_existing_parquet_file_is_replaced_only_if_asked_to(call: Call) -> No
         ("sweep rods.toml -o rods.zarr --threads x", "'x' is not a valid integer"),
     ],
 )
-def test_wrong_use_is_one_line(call: Call, line: str, told: str) -> None:
+def test_wrong_use_is_one_line(call: Call, line: str, message: str) -> None:
     bad = RECIPE.replace("[state]", 'lenght = "1 m"\n[state]').lstrip()
     Path("bad.toml").write_text(bad, encoding="utf-8")
     code, printed, error = call(line)
     assert (code, printed) == (2, "")
     assert error.count("\n") == 1
     assert error.startswith("pendula: ")
-    assert told in error
+    assert message in error
     assert folder() == ["bad.toml", "rods.toml"]
 
 
@@ -239,12 +239,12 @@ def test_ctrl_c_tells_how_to_go_on_and_it_ends_in_the_same_bytes(
 ) -> None:
     Path("rods.toml").write_text(LONG, encoding="utf-8")
     begun = tmp_path / "rods.zarr" / "outcome" / "c.2"
-    code, printed, told = interrupted(tmp_path, "sweep rods.toml -o rods.zarr", begun.exists)
+    code, printed, error = interrupted(tmp_path, "sweep rods.toml -o rods.zarr", begun.exists)
     done = len(list(Path("rods.zarr/outcome").glob("c.*")))
     assert 0 < done < 40
     assert done == (opened("rods.zarr")["outcome"].values != MISSING).sum() / 500
     assert (code, printed) == (130, "")
-    assert told.splitlines()[-1] == (
+    assert error.splitlines()[-1] == (
         f"pendula: interrupted; {done} of 40 chunks are in rods.zarr; "
         "resume with the same command and --resume"
     )
@@ -259,11 +259,11 @@ def test_ctrl_c_tells_how_to_go_on_and_it_ends_in_the_same_bytes(
 
 def test_ctrl_c_leaves_no_part_of_a_parquet_file(call: Call, tmp_path: Path) -> None:
     Path("rods.toml").write_text(LONG, encoding="utf-8")
-    code, printed, told = interrupted(
+    code, printed, error = interrupted(
         tmp_path,
         "sweep rods.toml -o rods.parquet",
         lambda: any(tmp_path.glob(".rods.*.unfinished.parquet")),
     )
     assert (code, printed) == (130, "")
-    assert told.splitlines()[-1].startswith("pendula: interrupted; nothing is written")
+    assert error.splitlines()[-1].startswith("pendula: interrupted; nothing is written")
     assert folder() == ["rods.toml"]

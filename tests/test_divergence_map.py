@@ -117,9 +117,9 @@ def test_the_map_says_what_it_is() -> None:
 
 
 @pytest.mark.parametrize(
-    ("given", "told"),
+    ("given", "message"),
     [
-        ({"system": SimplePendulum()}, "system must be a double pendulum"),
+        ({"system": SimplePendulum()}, "system must be a DoublePendulum"),
         ({"separation": 0.0}, "separation must be positive"),
         ({"separation": 0.1}, r"separation must lie between 1e-13 and 0.01 rad, got 0.1"),
         ({"separation": 1e-17}, "separation must lie between"),
@@ -127,7 +127,7 @@ def test_the_map_says_what_it_is() -> None:
         ({"theta1": (1.0, 0.0)}, r"theta1 must be a range \(lo, hi\) with lo < hi"),
     ],
 )
-def test_wrong_calls_are_told(given: dict[str, Any], told: str) -> None:
+def test_wrong_calls_are_refused(given: dict[str, Any], message: str) -> None:
     good = {"system": RODS, "theta1": (0, 1), "theta2": (0, 1), "shape": (3, 4), "t_max": 1.0}
-    with pytest.raises(ValueError, match=told):
+    with pytest.raises(ValueError, match=message):
         divergence_map(**{**good, **given})

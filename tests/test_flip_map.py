@@ -150,10 +150,10 @@ def test_a_store_holds_the_map_and_is_resumed(
     bytes_of = {p: p.read_bytes() for p in there.rglob("*") if p.is_file()}
     for gone in ("flip_time/c.1.0", "resolved/c.2.2"):
         (there / gone).unlink()
-    told: list[float] = []
-    flip_map(*asked, store=there, progress=told.append)
-    assert told[0] > 0.5  # of an hour's work only what is missing is done again
-    assert told[-1] == 1.0
+    parts: list[float] = []
+    flip_map(*asked, store=there, progress=parts.append)
+    assert parts[0] > 0.5  # of an hour's work only what is missing is done again
+    assert parts[-1] == 1.0
     assert {p: p.read_bytes() for p in there.rglob("*") if p.is_file()} == bytes_of
     later: Any = *asked[:-1], 6.0
     with pytest.raises(ValueError, match="holds another computation: t_max is 5.0 there and 6.0"):
@@ -186,17 +186,17 @@ def test_the_map_says_what_it_is() -> None:
 
 
 def test_progress_rises_to_the_end() -> None:
-    told: list[float] = []
-    flip_map(RODS, WHOLE[0], WHOLE[1], (150, 150), 30.0, progress=told.append)
-    assert len(told) > 3
-    assert all(0.0 <= a <= b for a, b in pairwise(told))
-    assert told[-1] == 1.0
+    parts: list[float] = []
+    flip_map(RODS, WHOLE[0], WHOLE[1], (150, 150), 30.0, progress=parts.append)
+    assert len(parts) > 3
+    assert all(0.0 <= a <= b for a, b in pairwise(parts))
+    assert parts[-1] == 1.0
 
 
 @pytest.mark.parametrize(
-    ("given", "told"),
+    ("given", "message"),
     [
-        ({"system": SimplePendulum()}, "system must be a double pendulum such as"),
+        ({"system": SimplePendulum()}, "system must be a DoublePendulum, got"),
         ({"theta1": 1.0}, r"theta1 must be a range \(lo, hi\)"),
         ({"theta2": (1.0, 1.0)}, r"theta2 must be a range \(lo, hi\) with lo < hi"),
         ({"theta2": (1.0, math.nan)}, "theta2 must be a finite number"),
@@ -223,9 +223,9 @@ def test_progress_rises_to_the_end() -> None:
         ({"progress": 5}, "progress must be a function of the part that is done, or None, got 5"),
     ],
 )
-def test_wrong_calls_are_told(given: dict[str, Any], told: str) -> None:
+def test_wrong_calls_are_refused(given: dict[str, Any], message: str) -> None:
     good = {"system": RODS, "theta1": (0, 1), "theta2": (0, 1), "shape": (3, 4), "t_max": 1.0}
-    with pytest.raises(ValueError, match=told):
+    with pytest.raises(ValueError, match=message):
         flip_map(**{**good, **given})
 
 

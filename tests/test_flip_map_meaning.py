@@ -94,7 +94,7 @@ def test_what_is_resolved_is_right() -> None:
 
 
 def test_a_resolved_flip_is_where_many_digits_say() -> None:
-    """Neither rod has flipped just before, and the one that is told has just after."""
+    """Neither rod has flipped just before, and the one that is listed has just after."""
     data = flip_map(RODS, (2.0, 2.6), (-1.0, 1.0), (16, 16), 6.0)
     late = data.resolved & (data.flip_time > 3.0)
     for i, j in np.argwhere(late.values)[::40][:3]:

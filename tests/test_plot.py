@@ -165,7 +165,7 @@ def test_trajectory_refuses_several_runs_and_other_languages() -> None:
     several = exact(SIMPLE, [LARGE, (0.1, 0.0)], T)
     with pytest.raises(ValueError, match="one trajectory at a time"):
         plot.trajectory(several)
-    with pytest.raises(ValueError, match="language must be one of en, es, got 'fr'"):
+    with pytest.raises(ValueError, match="language must be one of en, es; got 'fr'"):
         plot.trajectory(exact(SIMPLE, LARGE, T), language="fr")
 
 

@@ -2,21 +2,25 @@
 
 from __future__ import annotations
 
+import ast
 import copy
 import math
 import pickle
 import re
 from collections.abc import Callable
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
 
+import pendula
 from catalogue import METHODS, REFUSED, at_rest, control, label
-from pendula import DoublePendulum, SimplePendulum, _core, _engine, ensemble, solve
+from pendula import DoublePendulum, SimplePendulum, _checks, _core, _engine, ensemble, solve
 from pendula._messages import ArgumentError, Message, Naming, message_of
+from pendula._rules import refuse
+from pendula.cli.run import span_of, times_apart
 from pendula.events import flip
-from pendula.run.request import refuse
 from pendula.run.trust import DigitsError
 
 RODS, SIMPLE = DoublePendulum.rods(gravity=9.81), SimplePendulum(0.5, 9.81)
@@ -171,6 +175,44 @@ def test_a_run_of_doubles_refuses_digits() -> None:
         assert result.refused is not None
         assert (result.refused.rule, result.refused.argument) == ("not_of_doubles", "digits")
     assert _engine.check(asked(digits=9)) is None
+
+
+def test_no_sentence_of_a_rule_stands_in_the_package_too() -> None:
+    sentences = {row.english.replace("{in_unit}", "") for row in ROWS.values()}
+    for path in sorted(Path(pendula.__file__).parent.rglob("*.py")):
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+            if isinstance(node, ast.Constant) and isinstance(node.value, str):
+                own = node.value.replace("{in_unit}", "")
+                assert own not in sentences, f"{path.name}:{node.lineno}"
+
+
+@pytest.mark.parametrize(
+    ("check", "rule", "argument"),
+    [
+        (lambda: _checks.number("x", "a", "s"), "number", "x"),
+        (lambda: _checks.finite_number("x", math.inf), "finite", "x"),
+        (lambda: _checks.positive_number("x", 0), "positive", "x"),
+        (lambda: _checks.positive_number("x", -1, zero=True), "not_negative", "x"),
+        (lambda: _checks.finite_array("x", [[1.0, math.nan]]), "all_finite", "x"),
+        (lambda: _checks.finite_array("x", math.nan), "all_finite", "x"),
+        (lambda: _checks.whole_number("x", 0, 9), "whole_range", "x"),
+        (lambda: _checks.one_of("x", "a", ["b"]), "unknown_name", "x"),
+        (lambda: ensemble(RODS, np.zeros(4), 0.0), "differs_from_start", "t"),
+        (lambda: solve(SIMPLE, (1.0, 0.0), 1.0, method=3), "unknown_name", "method"),  # type: ignore[arg-type]
+        (lambda: SimplePendulum(-1.0), "positive", "length"),
+        (lambda: span_of(1.0, 1.0), "differs_from_start", "t_max"),
+        (lambda: times_apart(0.0, 1.0, 2.0), "step_within_span", "every"),
+    ],
+)
+def test_the_package_refuses_in_the_words_of_the_core(
+    check: Callable[[], object], rule: str, argument: str
+) -> None:
+    with pytest.raises(ArgumentError) as error:
+        check()
+    message, row = error.value.message, ROWS[rule]
+    assert (message.argument, message.rule) == (argument, row.english)
+    for sentence in (row.english, row.spanish):
+        assert not re.search(r"[{}<>]", Message(argument, sentence, **message.details))
 
 
 # ---- errors as data ----

@@ -10,6 +10,7 @@ import pytest
 
 from catalogue import ENTRIES, FIXED, METHODS, label, made
 from pendula import DoublePendulum, SimplePendulum, exact, solve
+from pendula.systems import System
 from stored import cases
 
 RODS = DoublePendulum.rods(gravity=9.81)
@@ -209,6 +210,47 @@ def test_energy_error_is_relative_and_has_a_scale_at_rest() -> None:
     assert np.abs(run.energy_error).max() > 1e-6
     rest = solve(RODS, (0.0, 0.0, 0.0, 0.0), 1.0, "rk4", step=0.1)
     assert (rest.energy_error == 0).all()
+
+
+@pytest.mark.parametrize(
+    ("system", "start"),
+    [
+        (SIMPLE, (math.tau, 0.0)),
+        (SIMPLE, (-2 * math.tau, 0.0)),
+        (SIMPLE, (math.nextafter(math.tau, 7.0), 0.0)),
+        (SIMPLE, (1e6 * math.tau, 0.0)),
+        (SIMPLE, (math.tau, 1e-16)),
+        (SIMPLE, (1e-160, 0.0)),  # 1e-320 J has three digits
+        (RODS, (math.tau, -math.tau, 0.0, 0.0)),
+        (RODS, (0.0, 3 * math.tau, 0.0, 0.0)),
+    ],
+)
+def test_energy_error_of_a_start_at_rest_is_that_of_the_pendulum(
+    system: System, start: tuple[float, ...]
+) -> None:
+    """The energy of such a start is the rounding of 2π n, and nothing that errors are parts of."""
+    runs = [solve(system, start, end, "rk4", step=0.01) for end in (1.0, -1.0)]
+    if system.can.closed_form:
+        runs.append(exact(system, start, np.linspace(-1.0, 1.0, 9)))
+    for run in runs:
+        assert np.abs(run.energy_error).max() < 1e-15
+        moved = (run.energy - system.energy(start)) / system.energy_scale
+        np.testing.assert_allclose(run.energy_error, moved, rtol=1e-15, atol=0)
+
+
+@pytest.mark.parametrize("angle", [1e-3, 1e-9, 1e-100, math.tau + 1e-9])
+def test_energy_error_of_a_small_swing_is_relative_to_its_own_energy(angle: float) -> None:
+    run = solve(SIMPLE, (angle, 0.0), 1.0, "heun", step=0.01)
+    energy = SIMPLE.energy(run.states)
+    np.testing.assert_allclose(run.energy_error, (energy - energy[0]) / energy[0])
+
+
+def test_energy_error_of_several_starts_has_the_scale_of_each() -> None:
+    starts = np.array([[math.tau, 0.0], [1.0, 0.0], [0.0, 0.0]])
+    together = exact(SIMPLE, starts, np.linspace(0.0, 2.0, 7)).energy_error
+    for start, errors in zip(starts, together, strict=True):
+        alone = exact(SIMPLE, start, np.linspace(0.0, 2.0, 7)).energy_error
+        np.testing.assert_array_equal(errors, alone)
 
 
 def test_dense_output_is_refused_where_there_is_none() -> None:

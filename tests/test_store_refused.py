@@ -67,7 +67,7 @@ def test_what_is_not_a_store_stays(overwrite: bool, tmp_path: Path) -> None:
     assert list(files(folder)) == ["thesis.tex"]
 
 
-def test_a_store_is_begun_anew_when_asked(undisturbed: Path, tmp_path: Path) -> None:
+def test_a_store_is_started_again_when_asked(undisturbed: Path, tmp_path: Path) -> None:
     store = tmp_path / "w.zarr"
     run(waves((9, 9), scale=2.0), store)
     with pytest.raises(FileExistsError, match="pass resume=True to go on"):

@@ -119,7 +119,7 @@ def test_mistakes_are_told_before_anything_is_computed(
     out = quick.parent / "out"
     with pytest.raises(FileExistsError, match="exists already"):
         run_study(None, quick, "en")
-    with pytest.raises(ValueError, match="language must be one of en, es, got 'fr'"):
+    with pytest.raises(ValueError, match="language must be one of en, es; got 'fr'"):
         run_study(quick, out, "fr")
     monkeypatch.setitem(sys.modules, "typst", None)
     with pytest.raises(ImportError, match=r'pip install "pendula\[report\]"'):

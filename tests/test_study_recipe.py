@@ -1,4 +1,4 @@
-"""Recipes: what they may say, and how a mistake is told."""
+"""Recipes: what they may say, and how a mistake is reported."""
 
 from __future__ import annotations
 

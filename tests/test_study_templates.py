@@ -96,3 +96,20 @@ def test_no_measured_number_stands_in_the_text(language: str) -> None:
         # Left out: code and comments, formulas, and the full turn.
         text = re.sub(r"^(//|#let|#import).*|\$[^$]*\$|360°", "", text, flags=re.MULTILINE)
         assert not re.findall(r"\d\s*(?:°|%|s\b|ms\b)", text), name
+
+
+@pytest.mark.parametrize(
+    ("language", "period", "steps"),
+    [("en", "a fraction of the linear period $T_0$", "largest over all steps"),
+     ("es", "una fracción del período lineal $T_0$", "todos los pasos")],
+)  # fmt: skip
+def test_tables_and_figures_say_what_their_largest_are_taken_of(
+    language: str, period: str, steps: str
+) -> None:
+    text = {name: (TEMPLATES / language / name).read_text(encoding="utf-8") for name in TEXTS}
+    assert period in text["linear.typ"]
+    assert "$T\\/T_0 - 1$" in text["linear.typ"]
+    assert text["double.typ"].count(steps) == 2
+    assert text["methods.typ"].count(steps) == 1
+    for name in ("linear.typ", "methods.typ", "double.typ", "equations.typ"):
+        assert re.search(r"(every|cada) #[sd]\.output|#s\.output\], \[#d\.output", text[name])

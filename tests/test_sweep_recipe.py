@@ -1,4 +1,4 @@
-"""Recipes of sweeps: what they may say, what comes of it, and how a mistake is told."""
+"""Recipes of sweeps: what they may say, what comes of it, and how a mistake is reported."""
 
 from __future__ import annotations
 

@@ -205,32 +205,6 @@ def test_states_of_another_shape_are_refused(system: System, bad: Any) -> None:
         system.rhs(bad)
 
 
-def test_normal_modes_of_equal_rods() -> None:
-    """ω² l/g = 3 ∓ 6/√7."""
-    modes = DoublePendulum.rods(gravity=9.81).normal_modes()
-    for frequency, sign in zip(modes.frequencies, (-1, 1), strict=True):
-        assert frequency**2 / 9.81 == pytest.approx(3 + sign * 6 / math.sqrt(7), rel=1e-14)
-
-
-@pytest.mark.parametrize(
-    "system", [*(each for each in SYSTEMS if each.name == "double"), BODIES], ids=label
-)
-def test_normal_modes_solve_the_eigenproblem(system: DoublePendulum) -> None:
-    from scipy.linalg import eigh
-
-    c = system.constants
-    squares, _ = eigh(np.diag([c["D"], c["E"]]), [[c["A"], c["C"]], [c["C"], c["B"]]])
-    modes = system.normal_modes()
-    np.testing.assert_allclose(np.square(modes.frequencies), squares, rtol=1e-12)
-    for frequency, shape in zip(modes.frequencies, modes.shapes, strict=True):
-        assert math.hypot(*shape) == pytest.approx(1.0)
-        # a small push along the shape is accelerated by −ω² times itself
-        push = 1e-7 * np.array(shape)
-        np.testing.assert_allclose(
-            system.rhs([*push, 0, 0])[2:], -(frequency**2) * push, rtol=1e-6, atol=1e-17
-        )
-
-
 def test_an_unknown_system_is_refused() -> None:
     with pytest.raises(
         ValueError, match=rf"^system must be one of {', '.join(System.classes)}; got 'triple'"

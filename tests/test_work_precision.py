@@ -60,8 +60,8 @@ def test_errors_and_counts_are_those_of_runs(simple: WorkPrecision) -> None:
     truth = exact(SIMPLE, LARGE, simple.t)
     for name in ("rk4", "gauss6", "dop853"):
         work = of(simple, name)
-        told = {"tolerance" if work.adaptive else "step": float(work.settings[4])}
-        run = solve(SIMPLE, LARGE, simple.t, name, **told)  # type: ignore[arg-type]
+        setting = {"tolerance" if work.adaptive else "step": float(work.settings[4])}
+        run = solve(SIMPLE, LARGE, simple.t, name, **setting)  # type: ignore[arg-type]
         assert work.errors[4] == np.abs(run.theta - truth.theta).max() > 0
         assert work.evaluations[4] == run.n_evaluations
         assert work.energy_errors[4] == abs(run.energy_error[-1])
@@ -183,12 +183,16 @@ def test_files_hold_every_run_and_what_was_compared(double: WorkPrecision, tmp_p
     for name in ("work.csv", "work.json"):
         write_rows(double.to_dict(), double.attributes(), tmp_path / name)
     with (tmp_path / "work.csv").open(encoding="utf-8") as file:
-        told = json.loads(file.readline().removeprefix("# pendula: "))
+        attributes = json.loads(file.readline().removeprefix("# pendula: "))
         rows = list(csv.DictReader(file))
     data = json.loads((tmp_path / "work.json").read_text(encoding="utf-8"))
-    assert told == {key: value for key, value in data.items() if key != "rows"}
-    assert told["system"] == RODS.description()
-    assert (told["reference"], told["digits"], told["t_max"]) == ("taylor", 15, 3.0)
+    assert attributes == {key: value for key, value in data.items() if key != "rows"}
+    assert attributes["system"] == RODS.description()
+    assert (attributes["reference"], attributes["digits"], attributes["t_max"]) == (
+        "taylor",
+        15,
+        3.0,
+    )
     column = "largest angle error [rad]"
     errors = np.concatenate([each.errors for each in double.methods]).tolist()
     assert [float(row[column]) for row in rows] == errors
@@ -210,7 +214,7 @@ def test_progress_goes_from_nothing_to_all() -> None:
 
 
 @pytest.mark.parametrize(
-    ("given", "told"),
+    ("given", "message"),
     [
         ({"methods": ["rk5"]}, "methods must be one of"),
         ({"methods": []}, "methods must name at least one method, got none"),
@@ -227,9 +231,9 @@ def test_progress_goes_from_nothing_to_all() -> None:
         ({"system": "simple"}, "system must be a pendulum"),
     ],
 )
-def test_wrong_use_is_told(given: dict[str, Any], told: str) -> None:
+def test_wrong_use_is_refused(given: dict[str, Any], message: str) -> None:
     usual: dict[str, Any] = {"system": SIMPLE, "state": LARGE, "t_max": 1.0}
-    with pytest.raises(ValueError, match=told):
+    with pytest.raises(ValueError, match=message):
         work_precision(**(usual | given))
 
 

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from pendula._given import plain
 from pendula._messages import ArgumentError
+from pendula._rules import broken
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Mapping
@@ -50,17 +51,14 @@ def number(name: str, value: object, unit: str = "") -> float:
     except ArgumentError:
         raise
     except (TypeError, ValueError):
-        raise ArgumentError(
-            name, "must be a number{in_unit}, got {value}", value=value, unit=unit
-        ) from None
+        raise broken(name, "number", value=value, unit=unit) from None
 
 
 def finite_number(name: str, value: object, unit: str = "") -> float:
     """`value` as a float that is neither infinite nor NaN."""
     found = number(name, value, unit)
     if not math.isfinite(found):
-        rule = "must be a finite number{in_unit}, got {value}"
-        raise ArgumentError(name, rule, value=found, unit=unit)
+        raise broken(name, "finite", value=found, unit=unit)
     return found
 
 
@@ -68,8 +66,7 @@ def positive_number(name: str, value: object, unit: str = "", *, zero: bool = Fa
     """`value` as a finite float above zero, or not below it where `zero` is allowed."""
     found = finite_number(name, value, unit)
     if found < 0 or (found == 0 and not zero):
-        rule = "must not be negative" if zero else "must be positive"
-        raise ArgumentError(name, f"{rule}{{in_unit}}, got {{value}}", value=found, unit=unit)
+        raise broken(name, "not_negative" if zero else "positive", value=found, unit=unit)
     return found
 
 
@@ -119,9 +116,8 @@ def check_finite(name: str, array: Array, unit: str = "") -> None:
     if not finite.all():
         bad = ~finite
         place = np.unravel_index(int(bad.argmax()), array.shape)
-        where = f" at {name}[{', '.join(str(int(i)) for i in place)}]" if array.ndim else ""
-        rule = "must hold finite numbers{in_unit}, got {value}" + where
-        raise ArgumentError(name, rule, value=float(array[place]), unit=unit)
+        where = f"{name}[{', '.join(str(int(i)) for i in place)}]" if array.ndim else name
+        raise broken(name, "all_finite", value=float(array[place]), unit=unit, place=where)
 
 
 def broadcast_shape(**shapes: tuple[int, ...]) -> tuple[int, ...]:
@@ -170,8 +166,7 @@ def whole_number(name: str, value: object, most: int) -> int:
     """`value` as an int from 1 to `most`."""
     found = whole(name, value)
     if not 1 <= found <= most:
-        rule = "must be a whole number from 1 to {text}, got {value}"
-        raise ArgumentError(name, rule, text=most, value=found)
+        raise broken(name, "whole_range", least=1, most=most, value=found)
     return found
 
 
@@ -198,7 +193,5 @@ def one_of(name: str, value: object, choices: Iterable[str]) -> str:
     """`value`, which has to be one of the names."""
     known = tuple(choices)
     if value not in known:
-        raise ArgumentError(
-            name, "must be one of {choices}; got {value}", choices=known, value=value
-        )
+        raise broken(name, "unknown_name", choices=known, value=value)
     return str(value)

@@ -55,8 +55,10 @@ class RecipeFile:
 
     def place(self, *keys: tuple[str, str]) -> str:
         """The file, and the line of the first of some (table, key) that it sets."""
-        both = ((table, name) for table, key in keys for name in (key, _OLD_NAMES.get(key)))
-        lines = [_line_of(self._text, table, name) for table, name in both if name is not None]
+        new_and_old = ((table, name) for table, key in keys for name in (key, _OLD_NAMES.get(key)))
+        lines = [
+            _line_of(self._text, table, name) for table, name in new_and_old if name is not None
+        ]
         line = next(filter(None, lines), 0)
         return f"{self.name}, line {line}" if line else self.name
 

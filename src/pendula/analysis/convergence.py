@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from pendula._checks import numbers_array
 from pendula._messages import ArgumentError
+from pendula._rules import broken
 
 if TYPE_CHECKING:
     from pendula._types import Array
@@ -64,7 +65,7 @@ def convergence_order(
             text=f"{h.shape}, {e.shape}",
         )
     if not np.all(h > 0):
-        raise ArgumentError("steps", "must be positive, got {value}", value=float(h.min()))
+        raise broken("steps", "positive", value=float(h.min()))
     usable = np.flatnonzero((e > floor) & (e < ceiling))
     finest = usable[np.argsort(h[usable])][:points]
     used = np.zeros(h.shape, dtype=np.bool_)

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from pendula._attributes import KEY
 from pendula._checks import extra
 from pendula._version import __version__
 
@@ -123,7 +124,7 @@ class WorkPrecision:
     def attributes(self) -> dict[str, Any]:
         """What was compared, as data that JSON can hold."""
         return {
-            "pendula": __version__,
+            KEY: __version__,
             "system": self.system.description(),
             "state": self.state.tolist(),
             "t0": self.t0,

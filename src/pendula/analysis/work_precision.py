@@ -14,11 +14,12 @@ from pendula import _engine
 from pendula._angles import warn_of_degrees
 from pendula._checks import finite_number, whole_number
 from pendula._messages import ArgumentError
+from pendula._rules import refuse
 from pendula.analysis.difference import angle_difference
 from pendula.analysis.method_work import MethodWork, WorkPrecision
 from pendula.run.exact import exact
 from pendula.run.options import BEST_TOLERANCE, ROWS
-from pendula.run.request import Request, checked_name, checked_state, refuse
+from pendula.run.request import Request, checked_name, checked_state
 from pendula.run.solve import solve
 from pendula.run.trust import DigitsError
 from pendula.systems import System, check_system

@@ -8,11 +8,12 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from pendula import _engine
-from pendula.cli.groups import one_each, systems_that
+from pendula.cli.groups import one_each
 from pendula.cli.options import start_of, start_options, system_of, system_options, value
 from pendula.cli.pictures import checked_picture, file_and_picture, write_picture
 from pendula.cli.progress import progress_bar
 from pendula.cli.run import seconds, span_of, start_time
+from pendula.systems import systems_that
 
 if TYPE_CHECKING:
     from pathlib import Path

@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from pendula import _engine
 from pendula._checks import LARGEST_COUNT, whole_number
-from pendula.cli.tables import chosen_rows, digits_of, table
+from pendula.cli.tables import digits_of, table
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Sequence
+    from collections.abc import Callable
+    from pathlib import Path
 
     from pendula.run.events import Event
     from pendula.run.trajectory import Trajectory
@@ -19,6 +20,7 @@ EXAMPLES = "'flip 1', 'angle 1 0deg rising', 'velocity-zero 2' or 'tip-height 50
 _NAME = "--event"
 _DIRECTIONS = {"rising": 1, "falling": -1}
 _END, _EVERY_TURN = "end", "every-turn"
+_SHOWN = 100  # most crossings of an event that are printed
 
 
 def event_of(text: str) -> Event:
@@ -67,20 +69,72 @@ def words_of(event: Event) -> str:
     return " ".join(str(word) for word in words if word is not None)
 
 
-def found(run: Trajectory, *, every_row: bool = False) -> str:
-    """A table of the crossings of each event, shortened as that of a run is."""
-    components = _engine.system_entries()[run.system.name].components
-    header = ["event", "n", "t [s]", *(f"{row.name} [{row.unit}]" for row in components)]
-    digits = digits_of(len(components))
-    rows: list[Sequence[str]] = []
+def found(run: Trajectory) -> str:
+    """A table of the crossings of each event; of very many the first, and how many there are."""
+    header, rows, more = ["event", "n", *_columns(run)], [], []
+    digits = digits_of(len(header) - 3)
     for event, (times, states) in zip(run.request.events, run.events, strict=True):
         name = words_of(event)
-        for i in chosen_rows(len(times), every_row=every_row):
-            numbers = (f"{component:.{digits}g}" for component in states[i])
+        for i, state in enumerate(states[:_SHOWN]):
+            numbers = (f"{component:.{digits}g}" for component in state)
             rows.append((name, str(i + 1), f"{times[i]:.10g}", *numbers))
+        if len(times) > _SHOWN:
+            more.append(f"{name}: {_SHOWN} of {len(times)} shown; --events-file FILE writes all")
         if not len(times):
             rows.append((name, "none", *[""] * (len(header) - 2)))
-    return table(header, rows)
+    return "\n".join([table(header, rows), *more])
+
+
+def check_events_file(given: dict[str, Any]) -> Path | None:
+    """The file for all crossings; refuses before a long run what cannot be written.
+
+    Raises:
+        ValueError: for an unknown ending, the run's own file, or no event to write.
+        OSError: where the file exists without --force, or cannot be written.
+    """
+    from pathlib import Path
+
+    from pendula.io.rows import check_rows_target
+
+    if given["events_file"] is None:
+        return None
+    path = Path(given["events_file"])
+    if not given["events"]:
+        raise ValueError("--events-file needs events to write; name one with --event 'flip 1', say")
+    if given["out"] is not None and path.resolve() == Path(given["out"]).resolve():
+        raise ValueError(f"--events-file must differ from --output, got {str(path)!r} for both")
+    check_rows_target(path, overwrite=given["force"])
+    return path
+
+
+def write_found(run: Trajectory, path: Path, *, force: bool) -> None:
+    """Write all crossings, a row each, with the run they are of."""
+    from pendula._attributes import KEY
+    from pendula._version import __version__
+    from pendula.io.rows import write_rows
+
+    columns: dict[str, list[Any]] = {name: [] for name in ("event", "n", *_columns(run))}
+    for event, (times, states) in zip(run.request.events, run.events, strict=True):
+        numbers = range(1, len(times) + 1)
+        names = [words_of(event)] * len(times)
+        parts = names, numbers, times.tolist(), *states.T.tolist()
+        for column, part in zip(columns.values(), parts, strict=True):
+            column.extend(part)
+    attributes = {
+        KEY: __version__,
+        "system": run.system.description(),
+        "method": run.method,
+        "state": run.request.state.tolist(),
+        "t0": run.request.t0,
+        "reached": run.reached,
+        "outcome": run.outcome,
+    }
+    write_rows(columns, attributes, path, overwrite=force)
+
+
+def _columns(run: Trajectory) -> list[str]:
+    components = _engine.system_entries()[run.system.name].components
+    return ["t [s]", *(f"{row.name} [{row.unit}]" for row in components)]
 
 
 def _rod(words: list[str], text: str) -> int:

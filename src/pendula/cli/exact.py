@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from pendula.cli.groups import one_each, systems_that
+from pendula.cli.groups import one_each
+from pendula.cli.naming import renaming
 from pendula.cli.options import start_of, start_options, system_of, system_options, value
 from pendula.cli.run import (
     deliver,
@@ -15,6 +16,7 @@ from pendula.cli.run import (
     target,
     times_apart,
 )
+from pendula.systems import systems_that
 
 if TYPE_CHECKING:
     import click
@@ -43,7 +45,8 @@ def _exact(entry: SystemEntry, **given: Any) -> None:
     system, start = system_of(entry, given), start_of(entry, given)
     t0 = seconds(given, "t0")
     out = target(given["out"], force=given["force"])
-    run = exact(system, start, _times(t0, given), t0=t0)
+    with renaming(t="t_max" if given["at"] is None else "at"):
+        run = exact(system, start, _times(t0, given), t0=t0)
     deliver(run, out, force=given["force"], every_row=given["at"] is not None)
 
 

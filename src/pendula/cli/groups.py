@@ -6,12 +6,10 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from pendula import _engine
-
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable
 
-    from pendula._engine import Capabilities, SystemEntry
+    from pendula._engine import SystemEntry
 
 
 class ChoiceGroup(click.Group):
@@ -77,8 +75,3 @@ def one_each(
         )
         group.add_command(command)
     return group
-
-
-def systems_that(can: Callable[[Capabilities], bool] = lambda _: True) -> list[SystemEntry]:
-    """The catalogue's systems with a capability; all, if none is named."""
-    return [entry for entry in _engine.system_entries().values() if can(entry.can)]

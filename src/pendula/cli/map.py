@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from pendula.cli.groups import ChoiceGroup, one_each, systems_that
+from pendula.cli.groups import ChoiceGroup, one_each
 from pendula.cli.map_output import check_targets, summary, write
 from pendula.cli.options import (
     run_options,
@@ -23,6 +23,7 @@ from pendula.cli.pictures import file_and_picture
 from pendula.cli.progress import work_bar
 from pendula.cli.run import seconds
 from pendula.cli.stores import check_store_options, cluster, store_options, telling_how_to_resume
+from pendula.systems import systems_that
 
 if TYPE_CHECKING:
     from collections.abc import Iterator

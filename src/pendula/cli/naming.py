@@ -2,18 +2,19 @@
 
 from __future__ import annotations
 
+from contextlib import contextmanager
 from typing import TYPE_CHECKING
 
 import click
 
 from pendula._engine import option_unit
-from pendula._messages import Message, Naming, message_of
+from pendula._messages import ArgumentError, Message, Naming, message_of
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
 _ARGUMENTS = {  # those whose option has another name, or none
-    "t": "the time",
+    "t": "--t-max",  # but `exact` may take --at: see `renaming`
     "state": "the start",
     "store": "--output",
     "shape": "--size",
@@ -70,6 +71,19 @@ class CommandNaming(Naming):
             message, hint = message_of(error), ""
         text = message.named(self) if isinstance(message, Message) else message
         return " ".join(text.split()) + hint
+
+
+@contextmanager
+def renaming(**names: str) -> Iterator[None]:
+    """Call arguments by other names in errors: `t` by that of the option it was made from."""
+    try:
+        yield
+    except ArgumentError as error:
+        made = error.message
+        if made.argument not in names:
+            raise
+        name = names[made.argument]
+        raise ArgumentError(name, made.rule, made.way_out, **made.details) from None
 
 
 def _options_of(command: click.Command) -> Iterator[tuple[str, str]]:

@@ -7,9 +7,10 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from pendula.cli.groups import one_each, systems_that
+from pendula.cli.groups import one_each
 from pendula.cli.options import start_of, start_options, system_of, system_options, value
 from pendula.cli.tables import table
+from pendula.systems import systems_that
 
 if TYPE_CHECKING:
     from fractions import Fraction

@@ -56,12 +56,12 @@ def times_apart(t0: float, t_max: float, every: float) -> Array:
     from pendula._checks import positive_number
     from pendula._engine import MOST_OUTPUTS
     from pendula._messages import ArgumentError
+    from pendula._rules import broken
     from pendula.run._times import spaced
 
     span = span_of(t0, t_max)
     if positive_number("every", every, "s") > span:
-        rule = "must not exceed the span of {span} s from <t0> to <t_max>, got {value} s"
-        raise ArgumentError("every", rule, span=span, value=every)
+        raise broken("every", "step_within_span", span=span, value=every)
     if span / every > MOST_OUTPUTS:
         rule = "must give at most {most} outputs, got {value} s for {count}"
         details = {"most": MOST_OUTPUTS, "value": every, "count": span / every}
@@ -71,11 +71,10 @@ def times_apart(t0: float, t_max: float, every: float) -> Array:
 
 def span_of(t0: float, t_max: float) -> float:
     """The time between start and end, which must not be zero."""
-    from pendula._messages import ArgumentError
+    from pendula._rules import broken
 
     if t_max == t0:
-        rule = "must differ from <t0> = {t0} s, got {value} s"
-        raise ArgumentError("t_max", rule, t0=t0, value=t_max)
+        raise broken("t_max", "differs_from_start", t0=t0, value=t_max)
     return abs(t_max - t0)
 
 
@@ -149,4 +148,4 @@ def deliver(run: Trajectory, out: Path | None, *, force: bool, every_row: bool =
         written = "" if out is None else f"{out}: {times_of(run)}; "
         click.echo(f"{written}{summary(run)}")
         if run.request.events:
-            click.echo(f"\n{found(run, every_row=every_row)}")
+            click.echo(f"\n{found(run)}")

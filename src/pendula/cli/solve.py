@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from pendula import _engine
-from pendula.cli.events import EXAMPLES, event_of
-from pendula.cli.groups import one_each, systems_that
+from pendula.cli.events import EXAMPLES, check_events_file, event_of, write_found
+from pendula.cli.groups import one_each
 from pendula.cli.options import (
     run_options,
     run_options_of,
@@ -30,13 +30,14 @@ from pendula.cli.run import (
     target,
     times_apart,
 )
+from pendula.run.options import STANDARD_METHOD
+from pendula.systems import systems_that
 
 if TYPE_CHECKING:
     from pendula._engine import SystemEntry
     from pendula._types import Array
 
 _SHOWN = 20_000  # most outputs of a run that is only printed
-_STANDARD = "taylor"
 
 
 def _options(entry: SystemEntry) -> list[click.Parameter]:
@@ -49,7 +50,7 @@ def _options(entry: SystemEntry) -> list[click.Parameter]:
         click.Option(
             ["--method"],
             type=click.Choice(names),
-            default=_STANDARD,
+            default=STANDARD_METHOD,
             show_default=True,
             help="see `pendula methods`",
         ),
@@ -60,6 +61,12 @@ def _options(entry: SystemEntry) -> list[click.Parameter]:
             multiple=True,
             metavar="WORDS",
             help=f"event to find: {EXAMPLES}; may be repeated",
+        ),
+        click.Option(
+            ["--events-file"],
+            type=click.Path(),
+            metavar="FILE",
+            help="write every event found to a .csv or .json file",
         ),
         *file_options(),
     ]
@@ -74,6 +81,7 @@ def _solve(entry: SystemEntry, **given: Any) -> None:
     options = run_options_of(given)
     options["events"] = [event_of(words) for words in given["events"]]
     out = target(given["out"], force=given["force"])
+    events_file = check_events_file(given)
     if given["every"] is not None:
         times: float | Array = times_apart(t0, t_max, seconds(given, "every"))
     else:
@@ -82,6 +90,9 @@ def _solve(entry: SystemEntry, **given: Any) -> None:
         run = solve(system, start, times, given["method"], t0=t0, progress=progress, **options)
     check_outcome(run, t_max)
     deliver(run, out, force=given["force"])
+    if events_file is not None:
+        write_found(run, events_file, force=given["force"])
+        click.echo(f"{events_file}: {sum(len(each.times) for each in run.events)} events")
 
 
 def _own_times(t0: float, t_max: float, step: float | None, *, thin: bool) -> float | Array:

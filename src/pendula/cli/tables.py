@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
     from pendula.run.trajectory import Trajectory
 
-ROWS = 11  # of a run: ten intervals
+_ROWS = 11  # of a run: ten intervals
 _ENOUGH_FOR_A_CURVE = 20
 _NARROWEST, _WIDEST = 30, 79  # characters of a curve with its margin
 
@@ -37,7 +37,10 @@ def table(header: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
 
 def show(run: Trajectory, *, every_row: bool = False) -> None:
     """Print a run: some of its rows (or all), and its angles as curves."""
-    click.echo(_rows_of(run, every_row=every_row))
+    rows = _chosen_rows(len(run.t), every_row=every_row)
+    click.echo(_rows_of(run, rows))
+    if len(rows) < len(run.t):
+        click.echo(f"{len(rows)} of {times_of(run)} shown; -o FILE writes all")
     if len(run.t) >= _ENOUGH_FOR_A_CURVE and _can_print("⣿"):
         _curves(run)
 
@@ -47,7 +50,9 @@ def summary(run: Trajectory) -> str:
     asked, error = run.request, "no outputs"
     if run.t.size:
         kind = "error" if run.system.can.conservative else "change"
-        error = f"largest relative energy {kind} {largest_energy_error(run):.2g}"
+        # between outputs of their own choice a run's steps may be worse
+        place = "" if isinstance(asked.t, float) else " at the outputs"
+        error = f"largest relative energy {kind}{place} {largest_energy_error(run):.2g}"
     if run.method == "exact":
         return f"exact: {times_of(run)}; {error}"
     if asked.digits is not None:
@@ -78,7 +83,7 @@ def largest_energy_error(run: Trajectory) -> float:
     return float(np.abs(run.energy_error).max())
 
 
-def _rows_of(run: Trajectory, *, every_row: bool) -> str:
+def _rows_of(run: Trajectory, chosen: Sequence[int]) -> str:
     components = _engine.system_entries()[run.system.name].components
     header = ["t [s]", *(f"{row.name} [{row.unit}]" for row in components), "(E-E0)/E0"]
     digits = digits_of(len(components))
@@ -89,7 +94,7 @@ def _rows_of(run: Trajectory, *, every_row: bool) -> str:
             *(f"{component:.{digits}g}" for component in run.states[i]),
             f"{energy_error[i]:.1e}",
         ]
-        for i in chosen_rows(len(run.t), every_row=every_row)
+        for i in chosen
     ]
     return table(header, rows)
 
@@ -99,11 +104,11 @@ def digits_of(columns: int) -> int:
     return 24 // columns + 1
 
 
-def chosen_rows(count: int, *, every_row: bool = False) -> list[int]:
+def _chosen_rows(count: int, *, every_row: bool) -> list[int]:
     """Which of so many rows are printed."""
-    if every_row or count <= ROWS:
+    if every_row or count <= _ROWS:
         return list(range(count))
-    return [round(i * (count - 1) / (ROWS - 1)) for i in range(ROWS)]
+    return [round(i * (count - 1) / (_ROWS - 1)) for i in range(_ROWS)]
 
 
 def _curves(run: Trajectory) -> None:

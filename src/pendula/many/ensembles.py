@@ -11,9 +11,10 @@ from pendula._angles import warn_of_degrees
 from pendula._checks import check_progress, finite_number, states_array
 from pendula._messages import ArgumentError
 from pendula._progress import part
+from pendula._rules import broken, refuse
 from pendula.many.tasks import Runs, Task, checked_threads, run_task
-from pendula.run.options import checked_types, takes_options
-from pendula.run.request import checked_name, refuse, times_array
+from pendula.run.options import STANDARD_METHOD, checked_types, takes_options
+from pendula.run.request import checked_name, times_array
 from pendula.run.trust import DigitsError, digits_states
 from pendula.systems import System, check_system
 
@@ -71,7 +72,7 @@ def ensemble(
     system: System | Sequence[System],
     states: ArrayLike,
     t: ArrayLike,
-    method: str = "taylor",
+    method: str = STANDARD_METHOD,
     *,
     t0: float = 0.0,
     threads: int | None = None,
@@ -133,8 +134,7 @@ def _checked_task(
     origin = finite_number("t0", t0, "s")
     times = times_array(t)
     if times.ndim == 0 and float(times) == origin:
-        rule = "must differ from <t0> = {t0} s, got {value}"
-        raise ArgumentError("t", rule, t0=origin, value=float(times))
+        raise broken("t", "differs_from_start", t0=origin, value=float(times))
     fields = checked_types(options, "ensemble")
     name = checked_name(method)
     task = Task(

@@ -8,8 +8,9 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from pendula import _engine
 from pendula._checks import check_threads
+from pendula._rules import refuse
 from pendula.run.options import Options
-from pendula.run.request import core_request, refuse
+from pendula.run.request import core_request
 
 if TYPE_CHECKING:
     import numpy as np

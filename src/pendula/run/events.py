@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from pendula._types import Array
 
 
-_REST_OF_PI = 1.2246467991473532e-16  # π less the double nearest to it
+_REST_OF_PI = math.sin(math.pi)  # π less the double nearest to it, to its last bit
 MOST_RODS = max(each.can.degrees_of_freedom for each in _engine.system_entries().values())
 
 

@@ -64,6 +64,7 @@ class Options:
 
 
 ROWS = {row.name: row for row in _engine.option_rows()}
+STANDARD_METHOD = "taylor"  # of runs for which none is named
 BEST_TOLERANCE = ROWS["tolerance"].least
 NAMES = tuple(each.name for each in fields(Options))
 

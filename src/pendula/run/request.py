@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 from pendula import _engine
 from pendula._checks import finite_array, finite_number, states_array
 from pendula._messages import ArgumentError
+from pendula._rules import broken, refuse
 from pendula.run.options import BEST_TOLERANCE, Options, checked_types
 
 if TYPE_CHECKING:
@@ -98,8 +99,7 @@ def checked_name(method: object, argument: str = "method") -> str:
     """The name of a method, if it is a name at all; the core knows which there are."""
     if not isinstance(method, str):
         names = [each.name for each in _engine.methods()]
-        rule = "must be one of {choices}; got {value}"
-        raise ArgumentError(argument, rule, choices=names, value=method)
+        raise broken(argument, "unknown_name", choices=names, value=method)
     return method
 
 
@@ -126,23 +126,3 @@ def times_array(t: ArrayLike) -> Array:
             value=times.shape,
         )
     return times
-
-
-def refuse(fault: _engine.Fault | None, *, digits: bool = True, **names: str) -> None:
-    """Raise what the core found wrong.
-
-    Args:
-        fault: None: nothing.
-        digits: whether there is an option of that name that a way out can offer.
-        **names: other names of arguments here.
-
-    Raises:
-        ArgumentError: where it found anything.
-    """
-    if fault is None:
-        return
-    row = _engine.rule_rows()[fault.rule]
-    details = {"value": fault.value, **fault.details}
-    argument = names.get(fault.argument, fault.argument)
-    way_out = row.way_out_in_english if digits or "<digits" not in row.way_out_in_english else ""
-    raise ArgumentError(argument, row.english, way_out, **details)

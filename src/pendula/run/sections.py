@@ -10,9 +10,10 @@ from pendula import _engine
 from pendula._angles import warn_of_degrees
 from pendula._checks import finite_number, whole_number
 from pendula._messages import ArgumentError
+from pendula._rules import refuse
 from pendula.run.events import Crossings, Event, checked_events, crossings_of
 from pendula.run.options import checked_types, takes_options
-from pendula.run.request import Request, checked_state, refuse
+from pendula.run.request import Request, checked_state
 from pendula.systems import System, check_system
 
 if TYPE_CHECKING:

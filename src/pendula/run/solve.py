@@ -9,7 +9,7 @@ from pendula import _engine
 from pendula._angles import warn_of_degrees
 from pendula._checks import check_progress
 from pendula.run.events import crossings_of
-from pendula.run.options import BEST_TOLERANCE, takes_options
+from pendula.run.options import BEST_TOLERANCE, STANDARD_METHOD, takes_options
 from pendula.run.request import Request, request_of
 from pendula.run.trajectory import Trajectory
 from pendula.systems import System, check_system
@@ -33,7 +33,7 @@ def solve(
     system: System,
     state: ArrayLike,
     t: ArrayLike,
-    method: str = "taylor",
+    method: str = STANDARD_METHOD,
     *,
     t0: float = 0.0,
     progress: Progress = None,

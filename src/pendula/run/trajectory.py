@@ -27,6 +27,9 @@ if TYPE_CHECKING:
     from pendula.systems import System
 
 
+_ROUNDINGS = 1024.0  # of an angle: nearer to the bottom, the energy has less than three digits
+
+
 @with_promised
 @dataclass(frozen=True, eq=False)
 class Trajectory:
@@ -94,13 +97,28 @@ class Trajectory:
     def energy_error(self) -> Array:
         """(E(t) − E(t0)) / E(t0), (n,); over mgL (or D + E) for a start at rest at the bottom.
 
-        An error where the system is conservative (`system.can.conservative`), else a change.
+        An error where the system is conservative (`system.can.conservative`), else a change. The
+        start is at rest where its energy is no more than the rounding of its angles could make:
+        whole turns from the bottom, a double is off by some 1e-16 of the angle.
         """
         import numpy as np
 
         start = self.system.energy(self.request.state)[..., np.newaxis]
-        scale = np.where(start == 0.0, self.system.energy_scale, start)
-        return (self.energy - start) / scale
+        return (self.energy - start) / self._energy_scale[..., np.newaxis]
+
+    @property
+    def _energy_scale(self) -> Array:
+        """What the energy's error is relative to, (), or (...) for several exact solutions [J]."""
+        import numpy as np
+
+        start, least = self.system.energy(self.request.state), self.system.energy_scale
+        rest = np.full_like(start, np.finfo(float).tiny)
+        if self.system.can.periodic:
+            angles = self.request.state[..., : self.system.can.degrees_of_freedom]
+            off = _ROUNDINGS * np.spacing(np.abs(angles)).max(axis=-1)
+            rest = np.maximum(rest, 0.5 * least * np.minimum(off, 1.0) ** 2)
+        scale: Array = np.where(start <= rest, np.maximum(start, least), start)
+        return scale
 
     @property
     def positions(self) -> Array:

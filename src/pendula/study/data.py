@@ -32,7 +32,7 @@ def _tables(results: Results) -> dict[str, Columns]:
         "large": _motion(dict(zip(("exact", "linear"), results.models["large"], strict=True))),
         "linear_methods": _compared(results.linear),
         "simple_methods": _compared(results.simple),
-        "double_methods": motion | _differences(double),
+        "double_methods": motion | _differences(double) | _energies(double),
         "linear_error": _linear_error(results),
         "small_angle_limits": _limits(results),
         "periods": _periods(results),
@@ -72,8 +72,16 @@ def _differences(compared: Comparison) -> Columns:
     }
 
 
+def _energies(compared: Comparison) -> Columns:
+    return {
+        f"{name} largest energy error of the steps since the row before [1]": values.tolist()
+        for name, values in compared.energy_errors.items()
+    }
+
+
 def _compared(compared: Comparison) -> Columns:
-    return _motion({"exact": compared.reference, **compared.runs}) | _differences(compared)
+    motion = _motion({"exact": compared.reference, **compared.runs})
+    return motion | _differences(compared) | _energies(compared)
 
 
 def _linear_error(results: Results) -> Columns:

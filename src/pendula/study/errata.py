@@ -1,7 +1,7 @@
 """The errata of the paper: the rows of errata.toml, and the page made of them.
 
 Source: Herrera, Avila, Martinez, Acuña, "Solución analítica y numérica del péndulo simple y
-doble", 2024. To write the page anew: ``python -m pendula.study.errata > docs/errata.md``.
+doble", 2024. To write the page again: ``python -m pendula.study.errata > docs/errata.md``.
 """
 
 import sys

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from pendula._engine import method_named
+from pendula._engine import ON_GRID, method_named
 from pendula.run.solve import methods
 from pendula.study.errata import errata
 from pendula.study.runs import METHODS, REPETITIONS
@@ -59,6 +59,7 @@ def _simple(results: Results, numbers: Numbers) -> dict[str, Any]:
         "large": numbers.chosen_degrees(part.large),
         "until": numbers.short(part.t_max),
         "step": numbers.duration(part.step),
+        "output": numbers.duration(part.output),
         "steps_a_period": numbers.plain(math.tau / frequency / part.step),
     }
 
@@ -155,7 +156,7 @@ def _energy_growth(results: Results, name: str) -> float:
     1996, IV.3). The last step is shortened where the end is no multiple of the step.
     """
     end, step = float(results.linear.runs[name].t[-1]), results.recipe.simple.step
-    full = math.floor(end / step + 1e-9)
+    full = math.floor(end / step + ON_GRID)
     frequency = results.pendulum.natural_frequency
     growth = growth_polynomial(method_named(name).stability_polynomial)
 
@@ -220,6 +221,7 @@ def _double(results: Results, words: Labels, numbers: Numbers) -> dict[str, Any]
         "until": numbers.short(part.t_max),
         "path_until": numbers.short(min(part.path_until, part.t_max)),
         "step": numbers.duration(part.step),
+        "output": numbers.duration(part.output),
         "reference_step": numbers.duration(part.reference_step),
         "half_step": numbers.duration(part.reference_step / 2),
         "masses": [numbers.short(masses) for masses, _ in REPETITIONS if masses != 1],
@@ -236,19 +238,17 @@ def _double(results: Results, words: Labels, numbers: Numbers) -> dict[str, Any]
 def _parting(results: Results, name: str, words: Labels, numbers: Numbers) -> dict[str, Any]:
     """When a method parted from the reference, as far as the reference can be trusted."""
     double = results.double
-    run, moment = double.runs[name], double.parting[name]
-    parted = moment if moment < double.horizon else math.inf
-    error = np.abs(run.energy_error)
-    before = error[run.t <= parted]
+    parted = double.trusted_parting(name)
+    largest = float(np.max(double.energy_errors[name]))
     trusted = double.reference.t <= double.horizon
     return {
         "name": words.name(name),
         "time": _moment(parted, numbers),
         "seconds": parted if math.isfinite(parted) else None,
-        "energy_before": numbers.plain(float(np.max(before)), 2),
-        "energy_largest": numbers.plain(float(np.max(error)), 2),
+        "energy_before": numbers.plain(double.energy_until_parting(name)),
+        "energy_largest": numbers.plain(largest),
         "difference": numbers.degrees(float(np.nanmax(double.differences[name][trusted]))),
-        "broke_down": _end(run, numbers),
+        "broke_down": _end(double.runs[name], numbers),
     }
 
 

@@ -9,7 +9,12 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from pendula import plot
-from pendula.analysis import agm_iterations, linear_model_error, series_terms
+from pendula.analysis import (
+    agm_iterations,
+    largest_energy_errors,
+    linear_model_error,
+    series_terms,
+)
 from pendula.study.runs import METHODS, periods
 
 if TYPE_CHECKING:
@@ -114,10 +119,7 @@ class Figures:
         return plot.series(cases, "difference", headings, **self._language)
 
     def _energy(self) -> Figure:
-        cases = [
-            (each.reference.t, _energy_errors({"exact": each.reference, **each.runs}))
-            for each in self._both()
-        ]
+        cases = [(each.reference.t, _energy_errors("exact", each)) for each in self._both()]
         headings = self._headings("linear", "simple")
         return plot.series(cases, "energy_error", headings, **self._language)
 
@@ -144,15 +146,14 @@ class Figures:
         return plot.tip_paths(runs, **self._language)
 
     def _double_energy(self) -> Figure:
-        case = (self._results.double.reference.t, _energy_errors(self._double_runs()))
+        double = self._results.double
+        case = (double.reference.t, _energy_errors("reference", double))
         return plot.series([case], "energy_error", **self._language)
 
     def _double_parting(self) -> Figure:
         double = self._results.double
         differences = _degrees({"reference": double.own_difference, **double.differences})
-        moments = {"reference": double.horizon} | {
-            m: double.parting[m] if double.parting[m] < double.horizon else np.inf for m in METHODS
-        }
+        moments = {"reference": double.horizon} | {m: double.trusted_parting(m) for m in METHODS}
         tolerance = float(np.degrees(self._results.recipe.double.tolerance))
         t = double.reference.t
         return plot.parting(t, differences, moments, tolerance, **self._language)
@@ -162,13 +163,14 @@ def _degrees(differences: dict[str, Array]) -> dict[str, Array]:
     return {name: np.degrees(values) for name, values in differences.items()}
 
 
-def _energy_errors(runs: dict[str, Trajectory]) -> dict[str, Array]:
-    size = max(len(run.t) for run in runs.values())
-    errors = {}
-    for name, run in runs.items():
-        errors[name] = np.full(size, np.nan)
-        errors[name][: len(run.t)] = np.abs(run.energy_error)
-    return errors
+def _energy_errors(reference: str, compared: Comparison) -> dict[str, Array]:
+    """What is largest since the point before; nan after the end of a run that ended early."""
+    largest = {reference: largest_energy_errors(compared.reference), **compared.energy_errors}
+    size = len(compared.reference.t)
+    return {
+        name: np.pad(errors, (0, size - len(errors)), constant_values=np.nan)
+        for name, errors in largest.items()
+    }
 
 
 def _up_to(run: Trajectory, t: float) -> Trajectory:

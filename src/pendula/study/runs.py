@@ -14,11 +14,13 @@ from pendula.analysis import (
     agm_iterations,
     angle_difference,
     convergence_order,
+    largest_energy_errors,
     linear_model_error,
     parting_time,
     period_limit,
     series_terms,
     small_angle_limit,
+    step_energy_errors,
 )
 from pendula.run.exact import exact
 from pendula.run.solve import solve
@@ -59,6 +61,8 @@ class Comparison:
     runs: dict[str, Trajectory]
     differences: dict[str, Array]
     """Largest angle difference from the reference by method [rad], (n,)."""
+    energy_errors: dict[str, Array]
+    """Largest |E − E0| / E0 over the steps since the output before, by method, (n,)."""
 
 
 @dataclass(frozen=True)
@@ -71,6 +75,16 @@ class DoubleComparison(Comparison):
     """When each method parted from the reference [s]; inf: not within the run."""
     horizon: float
     """When the first repetition parted from the reference [s]; inf: not within the run."""
+
+    def trusted_parting(self, method: str) -> float:
+        """When a method parted from the trusted reference [s]; inf: not while it is trusted."""
+        moment = self.parting[method]
+        return moment if moment < self.horizon else math.inf
+
+    def energy_until_parting(self, method: str) -> float:
+        """The largest |E − E0| / E0 over the steps of a method until then."""
+        t, errors = step_energy_errors(self.runs[method])
+        return float(np.max(errors[t <= self.trusted_parting(method)]))
 
 
 @dataclass(frozen=True)
@@ -176,7 +190,8 @@ def _comparison(
 ) -> Comparison:
     runs = {m: solve(system, state, reference.t, m, step=step) for m in METHODS}
     differences = {m: angle_difference(run, reference) for m, run in runs.items()}
-    return Comparison(system, reference, runs, differences)
+    energies = {m: largest_energy_errors(run) for m, run in runs.items()}
+    return Comparison(system, reference, runs, differences, energies)
 
 
 def _double(recipe: Recipe) -> DoubleComparison:
@@ -195,6 +210,7 @@ def _double(recipe: Recipe) -> DoubleComparison:
         reference,
         compared.runs,
         compared.differences,
+        compared.energy_errors,
         own_difference=own,
         parting={m: parting_time(t, d, part.tolerance) for m, d in compared.differences.items()},
         horizon=parting_time(t, own, part.tolerance),

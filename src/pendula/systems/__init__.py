@@ -10,6 +10,8 @@ from pendula.systems.base import (
     ClosedForm,
     System,
     check_system,
+    class_names_that,
+    systems_that,
     with_closed_form,
 )
 from pendula.systems.double import DoublePendulum, NormalModes
@@ -24,7 +26,9 @@ __all__ = [
     "SimplePendulum",
     "System",
     "check_system",
+    "class_names_that",
     "system_from",
+    "systems_that",
     "with_closed_form",
 ]
 

@@ -3,19 +3,28 @@
 from __future__ import annotations
 
 import math
+import sys
 from typing import TYPE_CHECKING, Any, ClassVar, cast
 
 from pendula import _engine
 from pendula._checks import finite_number, number, states_array
 from pendula._messages import ArgumentError
+from pendula._rules import broken, refuse
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     from numpy.typing import ArrayLike
 
     from pendula._types import Array
 
 
-STANDARD_GRAVITY = 9.80665  # m/s², 3rd CGPM (1901)
+STANDARD_GRAVITY: float = next(  # of the catalogue [m/s²]
+    row.standard
+    for entry in _engine.system_entries().values()
+    for row in entry.forms[0].parameters
+    if row.name == "gravity" and row.standard is not None
+)
 
 
 class System:
@@ -124,11 +133,12 @@ class System:
 
     def _check(self) -> None:
         """Refuse parameters out of range, or too large or too small together."""
-        fault = _engine.check_system(self._description())
-        if fault is not None:
-            row = _engine.rule_rows()[fault.rule]
-            details = {"value": fault.value, **fault.details}
-            raise ArgumentError(fault.argument, row.english, row.way_out_in_english, **details)
+        refuse(_engine.check_system(self._description()))
+        constants, whole = self.constants, all(self.parameters.values())
+        for name, value in constants.items():
+            # what is below the normal doubles has lost digits, or all of them
+            if abs(value) < sys.float_info.min and (value or whole):
+                raise broken("parameters", "constants", constant=name, value=value)
 
 
 class ClosedForm(System):
@@ -171,6 +181,19 @@ class ClosedForm(System):
             raise ArgumentError("state", rule, value=float(speeds.max()))
 
 
+def systems_that(
+    can: Callable[[_engine.Capabilities], bool] = lambda _: True,
+) -> list[_engine.SystemEntry]:
+    """The catalogue's systems of which there is a class here, with a capability; or all."""
+    entries = _engine.system_entries()
+    return [entries[name] for name in entries if name in System.classes and can(entries[name].can)]
+
+
+def class_names_that(can: Callable[[_engine.Capabilities], bool]) -> list[str]:
+    """The names of their classes."""
+    return [System.classes[entry.name].__name__ for entry in systems_that(can)]
+
+
 def with_closed_form(system: object) -> ClosedForm:
     """The system, which has a closed form.
 
@@ -179,13 +202,11 @@ def with_closed_form(system: object) -> ClosedForm:
     """
     one = check_system(system)
     if not one.can.closed_form:
-        entries = _engine.system_entries().values()
-        names = [System.classes[each.name].__name__ for each in entries if each.can.closed_form]
         raise ArgumentError(
             "system",
             "must be a {any_of}, got {value}: no closed form is known",
             "use <call=solve>",
-            any_of=names,
+            any_of=class_names_that(lambda can: can.closed_form),
             value=system,
         )
     return cast("ClosedForm", one)

@@ -4,12 +4,15 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import ClassVar
+from typing import ClassVar, NamedTuple
 
 from pendula import _engine
 from pendula._checks import number, one_of
 from pendula._messages import ArgumentError
+from pendula._rules import broken
 from pendula.systems.base import STANDARD_GRAVITY, System
+
+_LEAST_DETERMINANT = 2.0**-42  # of A B
 
 
 @dataclass(frozen=True)
@@ -53,6 +56,14 @@ class DoublePendulum(System):
         )
         object.__setattr__(self, "values", checked)
         self._check()
+
+    def _check(self) -> None:
+        super()._check()
+        constants = self.constants
+        name = "determinant_floor"
+        # A B − C² of a light bob above a heavy one is a difference: it needs three digits at least
+        if constants[name] / constants["A"] < _LEAST_DETERMINANT * constants["B"]:
+            raise broken("parameters", "constants", constant=name, value=constants[name])
 
     @classmethod
     def rods(
@@ -136,25 +147,67 @@ class DoublePendulum(System):
         """Frequencies and shapes of small oscillations.
 
         λ = ω² solves (AB − C²) λ² − (AE + BD) λ + DE = 0; the discriminant as a sum of squares and
-        the smaller root from the product of both lose no digits.
+        the smaller root from the product of both lose no digits. With u1 = √D θ1, u2 = √E θ2 the
+        modes are the axes of a symmetric matrix, at right angles. The products of four constants
+        may leave the range of doubles where the frequencies do not: they keep their exponents
+        apart.
         """
         constants = self.constants
         A, B, C, D, E = (constants[name] for name in "ABCDE")
-        determinant = constants["determinant_floor"]
-        root = math.sqrt((A * E - B * D) ** 2 + 4.0 * C * C * D * E)
-        fast = (A * E + B * D + root) / (2.0 * determinant)
-        slow = 2.0 * D * E / (A * E + B * D + root)
+        first, second = _Product.of(A, E), _Product.of(B, D)  # the second is never zero
+        unit = max(first.exponent, second.exponent) if first.mantissa else second.exponent
+        a, b = first.over(unit), second.over(unit)
+        c = _Product.of(C, C, D, E).root(-2 * unit)  # C √(DE)
+        total = a + b + math.hypot(a - b, 2.0 * c)
+        slow, determinant = _Product.of(D, E), _Product.of(constants["determinant_floor"])
         return NormalModes(
-            (math.sqrt(slow), math.sqrt(fast)),
-            (_mode_shape(A, B, C, D, E, slow), _mode_shape(A, B, C, D, E, fast)),
+            (
+                _root(2.0 * slow.mantissa / total, slow.exponent - unit),
+                _root(0.5 * total / determinant.mantissa, unit - determinant.exponent),
+            ),
+            _mode_shapes(a, b, c, D, E) if E else ((0.0, 1.0), (1.0, 0.0)),
         )
 
 
-def _mode_shape(
-    A: float, B: float, C: float, D: float, E: float, square: float
-) -> tuple[float, float]:
-    """Null vector of the stiffness less ω² times the mass matrix, by its larger row."""
-    first, second = (square * C, D - square * A), (E - square * B, square * C)
-    x, y = max(first, second, key=lambda row: math.hypot(*row))
-    length = math.copysign(math.hypot(x, y), x if x != 0.0 else y)
+class _Product(NamedTuple):
+    """mantissa · 2^exponent, of any size."""
+
+    mantissa: float
+    exponent: int
+
+    @classmethod
+    def of(cls, *factors: float) -> _Product:
+        mantissas, exponents = zip(*map(math.frexp, factors), strict=True)
+        return cls(math.prod(mantissas), sum(exponents))
+
+    def over(self, exponent: int) -> float:
+        """In units of 2^exponent, which must not be much smaller."""
+        return math.ldexp(self.mantissa, self.exponent - exponent)
+
+    def root(self, shift: int) -> float:
+        """The square root after 2^shift times as much."""
+        return _root(self.mantissa, self.exponent + shift)
+
+
+def _root(mantissa: float, exponent: int) -> float:
+    """√(mantissa · 2^exponent), which is in range where its square is not."""
+    return math.ldexp(math.sqrt(mantissa * (1 + exponent % 2)), exponent // 2)
+
+
+def _mode_shapes(
+    a: float, b: float, c: float, D: float, E: float
+) -> tuple[tuple[float, float], tuple[float, float]]:
+    """The axes of ((a, c), (c, b)), the longer first, in the angles, of length one each."""
+    # sines of both angles that the axes make: the cosine of an angle near π/2 has no digits
+    across, along = (math.sin(math.atan2(2.0 * c, x) / 2.0) for x in (a - b, b - a))
+    larger = math.sqrt(max(D, E))
+    to_first, to_second = math.sqrt(D) / larger, math.sqrt(E) / larger
+    return (
+        _unit(along * to_second, across * to_first),
+        _unit(across * to_second, -along * to_first),
+    )
+
+
+def _unit(x: float, y: float) -> tuple[float, float]:
+    length = math.hypot(x, y)
     return x / length, y / length

@@ -127,7 +127,7 @@ class Store:
                 Message(
                     "",
                     "{path} exists",
-                    "pass <resume=True> to go on with it, <overwrite=True> to begin anew, or "
+                    "pass <resume=True> to go on with it, <overwrite=True> to start again, or "
                     "choose another name",
                     path=place,
                 )
@@ -154,8 +154,10 @@ def first_difference(there: Any, here: Any, name: str = "") -> tuple[str, str, s
         return None if same else (name or "the identity", json.dumps(there), json.dumps(here))
     for key, full in keys.items():
         if (key in there) != (key in here):
-            both = (json.dumps(each[key]) if key in each else "missing" for each in (there, here))
-            return (full, *both)  # type: ignore[return-value]
+            first, second = (
+                json.dumps(each[key]) if key in each else "missing" for each in (there, here)
+            )
+            return full, first, second
         different = first_difference(there[key], here[key], full)
         if different is not None:
             return different

@@ -6,15 +6,17 @@ from dataclasses import dataclass, fields
 from typing import TYPE_CHECKING, Any, ClassVar
 
 from pendula import _engine
+from pendula._attributes import KEY
 from pendula._checks import number, positive_number
 from pendula._messages import ArgumentError
+from pendula._rules import refuse
 from pendula._version import __version__
 from pendula.many.chunks import Variable, Work, run
 from pendula.many.maps.cells import Cells, checked_cells
 from pendula.many.tasks import Runs, Task, checked_threads, run_task
 from pendula.run.options import BEST_TOLERANCE
-from pendula.run.request import Request, refuse
-from pendula.systems import System, check_system
+from pendula.run.request import Request
+from pendula.systems import System, check_system, class_names_that
 
 if TYPE_CHECKING:
     import numpy as np
@@ -49,7 +51,7 @@ class Map:
         own = {each.name: getattr(self, each.name) for each in fields(self)}
         own |= {"system": self.system.description()}
         del own["cells"]
-        return {"pendula": __version__, "map": self.kind, **own, **self.cells.description()}
+        return {KEY: __version__, "map": self.kind, **own, **self.cells.description()}
 
     @property
     def variables(self) -> tuple[Variable, ...]:
@@ -95,8 +97,8 @@ def checked_map(
     """
     one = check_system(system)
     if not one.can.mapped:
-        rule = "must be a double pendulum such as DoublePendulum.rods(), got {value}"
-        raise ArgumentError("system", rule, value=system)
+        names = class_names_that(lambda can: can.mapped)
+        raise ArgumentError("system", "must be a {any_of}, got {value}", any_of=names, value=system)
     cells = checked_cells(theta1, theta2, shape)
     end = positive_number("t_max", t_max, "s")
     checked_tolerance(one, end, None)

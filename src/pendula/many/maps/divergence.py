@@ -114,8 +114,8 @@ class DivergenceMap(Map):
         starts = self.cells.starts(chunk)
         neighbours = starts.copy()
         neighbours[:, :2] += self.separation
-        both = np.concatenate([starts, neighbours])
-        found = self.runs(both, threads, progress, tolerance=self.tolerance)
+        pairs = np.concatenate([starts, neighbours])
+        found = self.runs(pairs, threads, progress, tolerance=self.tolerance)
         ends = found.states[:, 0, :2]
         apart = abs(ends[len(starts) :] - ends[: len(starts)]).max(axis=1)
         return {"growth": self.cells.whole(chunk, apart / self.separation)}

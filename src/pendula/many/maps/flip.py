@@ -74,7 +74,7 @@ def flip_map(
         threads: None: one for each processor.
         progress: called with the part that is done, 0 to 1.
         resume: go on with a store that is there; else it is refused.
-        overwrite: begin it anew.
+        overwrite: replace it.
 
     Returns:
         Dims (theta1, theta2), coordinates the centres of the cells. `flip_time` [s], NaN where none

@@ -11,11 +11,12 @@ import numpy as np
 from pendula import _engine
 from pendula._checks import LARGEST_COUNT, one_of, whole_number
 from pendula._recipe_file import RecipeFile, as_toml
+from pendula._rules import refuse
 from pendula.many.sampling import LARGEST_SEED, Distribution, SameAs, Sampler
 from pendula.many.sweep.columns import Columns
 from pendula.many.sweep.recipe import SweepRecipe
-from pendula.run.options import BEST_TOLERANCE, ROWS, checked_types
-from pendula.run.request import Request, checked_name, refuse
+from pendula.run.options import BEST_TOLERANCE, ROWS, STANDARD_METHOD, checked_types
+from pendula.run.request import Request, checked_name
 from pendula.systems import System, system_from
 
 if TYPE_CHECKING:
@@ -130,7 +131,7 @@ class _Run:
         fields = {row.name: self._option(row) for row in ROWS.values() if row.name in _OPTIONS}
         with file.blaming("run", "method", ""):
             options = checked_types(fields, "sweep")
-            method = checked_name(given.get("method", "taylor"))
+            method = checked_name(given.get("method", STANDARD_METHOD))
             for system in self._systems:
                 asked = Request(
                     state=np.zeros(len(system.components)), t=np.array([t_max]), **options

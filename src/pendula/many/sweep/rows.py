@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from pendula import _engine
+from pendula._attributes import KEY
 from pendula._progress import part
 from pendula._version import __version__
 from pendula.many.chunks import Axis, Variable, Work
@@ -35,7 +36,7 @@ def work_of(recipe: SweepRecipe) -> Work:
     times, count = recipe.times, recipe.sampler.count
     attributes = {"units": "s", "long_name": "time"}
     return Work(
-        inputs={"pendula": __version__, "sweep": recipe.resolved},
+        inputs={KEY: __version__, "sweep": recipe.resolved},
         axes=(
             Axis(ROW, count, chunk=recipe.chunk),
             Axis(TIME, len(times), None, times, attributes),

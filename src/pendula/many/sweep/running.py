@@ -48,7 +48,7 @@ def sweep(
         threads: None: one for each processor; on a cluster one for each task.
         progress: called with the part that is done, 0 to 1.
         resume: go on with an existing store; else it is refused.
-        overwrite: begin an existing one anew.
+        overwrite: replace an existing one.
 
     Returns:
         Dims (row, t). For each row the parameters of its system, by name, its start (`theta1_start`

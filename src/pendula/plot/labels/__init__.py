@@ -8,7 +8,7 @@ from functools import cache
 from importlib import resources
 from typing import Any
 
-from pendula._messages import ArgumentError
+from pendula._checks import one_of
 
 LANGUAGES = ("en", "es")
 
@@ -42,9 +42,7 @@ class Labels:
 @cache
 def labels(language: str) -> Labels:
     """The catalogue of a language; ValueError names the languages there are."""
-    if language not in LANGUAGES:
-        rule = "must be one of {choices}, got {value}"
-        raise ArgumentError("language", rule, choices=LANGUAGES, value=language)
-    text = resources.files(__name__).joinpath(f"{language}.toml").read_text(encoding="utf-8")
+    name = one_of("language", language, LANGUAGES)
+    text = resources.files(__name__).joinpath(f"{name}.toml").read_text(encoding="utf-8")
     catalogue: dict[str, Any] = tomllib.loads(text)
     return Labels(language=language, **catalogue)
