@@ -232,7 +232,7 @@ def test_a_failure_while_writing_leaves_no_file(
     capsys: pytest.CaptureFixture[str],
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    def half(run: Trajectory, attributes: str, path: Path) -> None:
+    def half(run: Trajectory, path: Path) -> None:
         path.write_text("half")
         raise failure
 
@@ -243,7 +243,7 @@ def test_a_failure_while_writing_leaves_no_file(
 def test_ctrl_c_while_writing_leaves_no_file(
     capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    def half(run: Trajectory, attributes: str, path: Path) -> None:
+    def half(run: Trajectory, path: Path) -> None:
         path.write_text("half")
         os.kill(os.getpid(), signal.SIGINT)
 

@@ -1,12 +1,13 @@
-// Runs the whole catalogue and the closed forms with 1, 2, 4 and 8 lanes and hashes every bit of what they give. Prints
-// the hash of each width; with a file as argument, compares them with the hash it holds, which changes only where the
-// arithmetic is changed on purpose.
+// Runs the whole catalogue and the closed forms with several numbers of lanes and hashes every bit of what they give.
+// Prints the hash of each width; with a file as argument, compares them with the hash it holds, which changes only
+// where the arithmetic is changed on purpose.
 #include <cstdio>
 #include <cstring>
 #include <fstream>
 #include <iterator>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "adaptive_bits.hpp"
@@ -204,21 +205,25 @@ std::uint64_t hash_of_all() {
   return all.value;
 }
 
+// How many lanes are hashed: each number of them takes long to compile.
+#ifndef PENDULA_LANES
+#define PENDULA_LANES 1, 2, 4, 8
+#endif
+
+template <int... width>
+std::vector<std::uint64_t> hashes(std::integer_sequence<int, width...>) {
+  return {hash_of_all<std::conditional_t<width == 1, double, pack<double, width == 1 ? 2 : width>>>()...};
+}
+
 }  // namespace
 
 int main(int count, char** arguments) {
-#ifdef PENDULA_SANITIZED
-  constexpr int widths[] = {4};  // each takes long to compile; one trajectory's outputs and events are in it, too
-  const std::uint64_t found[] = {hash_of_all<pack<double, 4>>()};
-#else
-  constexpr int widths[] = {1, 2, 4, 8};
-  const std::uint64_t found[] = {hash_of_all<double>(), hash_of_all<pack<double, 2>>(), hash_of_all<pack<double, 4>>(),
-                                 hash_of_all<pack<double, 8>>()};
-#endif
+  const std::vector<int> widths{PENDULA_LANES};
+  const std::vector<std::uint64_t> found = hashes(std::integer_sequence<int, PENDULA_LANES>{});
   bool same = true;
   std::string expected;
   if (count > 1) std::ifstream(arguments[1]) >> expected;
-  for (std::size_t i = 0; i < std::size(found); ++i) {
+  for (std::size_t i = 0; i < found.size(); ++i) {
     char text[17];
     std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(found[i]));
     std::printf("%d lanes: %s\n", widths[i], text);
