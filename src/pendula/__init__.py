@@ -92,7 +92,8 @@ def __getattr__(name: str) -> Any:
         if name in names:
             for module in ("numpy", *(f"pendula.run.{each}" for each in _OF_A_RUN)):
                 importlib.import_module(module)
-            return getattr(importlib.import_module(f"pendula.{home}"), name)
+            found = globals()[name] = getattr(importlib.import_module(f"pendula.{home}"), name)
+            return found
     raise AttributeError(f"module 'pendula' has no attribute {name!r}")
 
 

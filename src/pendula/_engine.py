@@ -93,7 +93,7 @@ class SystemEntry:
 
     def form_index(self, form: str) -> int:
         """Place of the form of that name."""
-        return [each.name for each in self.forms].index(form)
+        return next(i for i, each in enumerate(self.forms) if each.name == form)
 
 
 @dataclass(frozen=True)

@@ -14,6 +14,7 @@ if TYPE_CHECKING:
 
     Units = str | Mapping[str, str]
 
+_PLAIN = (float, int)
 _NO_UNIT = ("", "1", "dimensionless")  # as xarray and pint say it
 
 
@@ -32,7 +33,7 @@ def plain(name: str, value: Any, units: Units) -> Any:
         ArgumentError: for a unit of another kind, or an element that is masked.
         TypeError: for truth values, or several arrays in one.
     """
-    if _is_plain(value):
+    if _is_plain(value) or (isinstance(value, list | tuple) and all(map(_is_plain, value))):
         return value
     if isinstance(value, list | tuple):
         return _entries(name, value, units)
@@ -66,7 +67,7 @@ def _entries(name: str, value: list[Any] | tuple[Any, ...], units: Units) -> lis
 
 def _is_plain(value: Any) -> bool:
     """Whether it is a number without anything: most are."""
-    return isinstance(value, float | int) and not isinstance(value, bool)
+    return type(value) in _PLAIN
 
 
 def _is_scalar(value: Any) -> bool:
