@@ -9,10 +9,7 @@ from typing import ClassVar, NamedTuple
 from pendula import _engine
 from pendula._checks import number, one_of
 from pendula._messages import ArgumentError
-from pendula._rules import broken
 from pendula.systems.base import STANDARD_GRAVITY, System
-
-_LEAST_DETERMINANT = 2.0**-42  # of A B
 
 
 @dataclass(frozen=True)
@@ -56,14 +53,6 @@ class DoublePendulum(System):
         )
         object.__setattr__(self, "values", checked)
         self._check()
-
-    def _check(self) -> None:
-        super()._check()
-        constants = self.constants
-        name = "determinant_floor"
-        # A B − C² of a light bob above a heavy one is a difference: it needs three digits at least
-        if constants[name] / constants["A"] < _LEAST_DETERMINANT * constants["B"]:
-            raise broken("parameters", "constants", constant=name, value=constants[name])
 
     @classmethod
     def rods(

@@ -61,8 +61,8 @@ struct double_pendulum {
     using series = double_pendulum_series<S>;
 
     S A, B, C, D, E;
-    S l1, l2;                                                  // drawn, not in the equations
-    S determinant_floor = difference_of_products(A, B, C, C);  // A B − C², the mass matrix' least determinant
+    S l1, l2;             // drawn, not in the equations
+    S determinant_floor;  // A B − C², the mass matrix' least determinant
 
     PENDULA_INLINE state rhs(const S&, const state& y) const {
       const auto [first, second] = sincos(y[0], y[1]);
@@ -142,31 +142,38 @@ struct double_pendulum {
     }
   };
 
-  // The rows of a form's parameters, in their order, make the five constants, in the precision of the run.
+  // A B − C². Below a light upper body it is a difference of which rounding leaves little: there it is what it comes to
+  // in the parameters, a sum of positive terms.
+  template <class S>
+  static S determinant(const S& A, const S& B, const S& C, const S& sum) {
+    if constexpr (has_bit_pattern<S>) {
+      const S difference = difference_of_products(A, B, C, C);
+      return choose(less(difference, S(0x1p-4) * (A * B)), sum, difference);
+    } else {
+      return sum;
+    }
+  }
+
+  // The rows of a form's parameters, in their order, make the constants, in the precision of the run.
   template <class S>
   static over<S> make(std::size_t form, const S* p) {
     const S m1 = p[0], m2 = p[1], l1 = p[2];
     if (form == 2) {
       const S c1 = p[3], c2 = p[4], gravity = p[7];
-      return {p[5] + m1 * c1 * c1 + m2 * l1 * l1,
-              p[6] + m2 * c2 * c2,
-              m2 * l1 * c2,
-              (m1 * c1 + m2 * l1) * gravity,
-              m2 * c2 * gravity,
-              l1,
-              p[8]};
+      const S of_joint = m2 * l1 * l1, A = p[5] + m1 * c1 * c1 + of_joint, B = p[6] + m2 * c2 * c2, C = m2 * l1 * c2;
+      const S least = determinant(A, B, C, (p[5] + m1 * c1 * c1) * B + of_joint * p[6]);
+      return {A, B, C, (m1 * c1 + m2 * l1) * gravity, m2 * c2 * gravity, l1, p[8], least};
     }
     const S l2 = p[3], gravity = p[4];
-    if (form == 1)
-      return {(m1 + m2) * l1 * l1, m2 * l2 * l2, m2 * l1 * l2, (m1 + m2) * gravity * l1, m2 * gravity * l2, l1, l2};
+    if (form == 1) {
+      const S A = (m1 + m2) * l1 * l1, B = m2 * l2 * l2, C = m2 * l1 * l2;
+      const S least = determinant(A, B, C, m1 * l1 * l1 * B);
+      return {A, B, C, (m1 + m2) * gravity * l1, m2 * gravity * l2, l1, l2, least};
+    }
     const S half(0.5), third_m1 = m1 / S(3.0), third_m2 = m2 / S(3.0);
-    return {(third_m1 + m2) * l1 * l1,
-            third_m2 * l2 * l2,
-            half * m2 * l1 * l2,
-            (half * m1 + m2) * gravity * l1,
-            half * m2 * gravity * l2,
-            l1,
-            l2};
+    const S A = (third_m1 + m2) * l1 * l1, B = third_m2 * l2 * l2, C = half * m2 * l1 * l2;
+    const S least = difference_of_products(A, B, C, C);  // at least a quarter of A B
+    return {A, B, C, (half * m1 + m2) * gravity * l1, half * m2 * gravity * l2, l1, l2, least};
   }
 };
 
