@@ -63,6 +63,37 @@ def test_the_smallest_swings_of_two(system: DoublePendulum, amplitude: float, me
     assert run.n_steps < 600
 
 
+@pytest.mark.parametrize("method", ["taylor", "dop853"])
+@pytest.mark.parametrize(("amplitude", "digits"), [(1e-310, 1e-11), (1e-313, 1e-8), (1e-315, 1e-6)])
+def test_below_the_normal_numbers(amplitude: float, digits: float, method: str) -> None:
+    """As far as the digits go that are left there."""
+    for system in (SimplePendulum(0.5), LinearPendulum(0.5)):
+        right = exact(system, (1e-9, 2e-9), [2.0]).states[0] * 1e9
+        run = solve(system, (amplitude, 2 * amplitude), [2.0], method)
+        np.testing.assert_allclose(run.states[-1] / amplitude, right, rtol=0, atol=30 * digits)
+
+
+@pytest.mark.parametrize("method", ["taylor", "dop853"])
+@pytest.mark.parametrize("gravity", [1e-100, 1e-40, 1e-20, 1e-12, 1e12, 1e20, 1e40, 1e100])
+def test_motions_of_any_frequency_are_alike(gravity: float, method: str) -> None:
+    """With a time that is counted in periods; alone and through the lanes."""
+    unit = float(sqrt(mpf(9.8) / mpf(gravity)))
+    for make, state in (
+        (lambda g: SimplePendulum(1.0, g), (1.0, 0.0)),
+        (lambda g: LinearPendulum(1.0, g), (1.0, 0.0)),
+        (lambda g: DoublePendulum.rods(gravity=g), (1.0, 0.5, 0.0, 0.0)),
+    ):
+        half = len(state) // 2
+        usual = solve(make(9.8), state, [2.0], method)
+        run = solve(make(gravity), state, [2.0 * unit], method, max_steps=10_000)
+        assert run.outcome == "reached_end"
+        assert abs(run.n_steps - usual.n_steps) <= 3
+        np.testing.assert_allclose(run.states[0, :half], usual.states[0, :half], atol=1e-13)
+        np.testing.assert_allclose(run.states[0, half:] * unit, usual.states[0, half:], atol=1e-12)
+        lanes = ensemble([make(gravity), make(2 * gravity)], state, [2.0 * unit], method)
+        assert lanes.states[0].tobytes() == run.states.tobytes()
+
+
 def test_the_period_of_the_smallest_swings_is_the_linear_one() -> None:
     rng = np.random.default_rng(8)
     for length, gravity in np.exp(rng.uniform(-12.0, 12.0, (500, 2))):

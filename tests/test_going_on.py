@@ -175,6 +175,36 @@ def test_sections_and_lanes_go_on(event: Event) -> None:
     np.testing.assert_allclose(runs.events[0].times, np.diff(whole.times), rtol=1e-9)
 
 
+@pytest.mark.parametrize("way", WAYS)
+@pytest.mark.parametrize("method", METHODS)
+@pytest.mark.parametrize(
+    ("ending", "other"),
+    [
+        (angle(1, 0.0, terminal=True), angle(1, 0.0)),
+        (angle(1, 0.5, terminal=True), tip_height(-0.5 * math.cos(0.5))),
+        (tip_height(-0.45, terminal=True), tip_height(-0.45)),
+        (velocity_zero(1, terminal=True), velocity_zero(1, direction=1)),
+    ],
+)
+def test_an_event_at_the_instant_of_the_end_is_reported(
+    ending: Event, other: Event, method: str, way: int
+) -> None:
+    """In whatever order they are listed; the next run, which starts there, would not find it."""
+    counts = []
+    for asked in ([ending, other], [other, ending]):
+        t, state, found = 0.0, np.array([1.0, 0.0]), 0
+        for _ in range(40):
+            run = solve(SIMPLE, state, t + way * 50.0, method, t0=t, events=asked)
+            t, state = run.t[-1], run.states[-1]
+            found += run.events[asked.index(other)].times.size
+            assert np.all(run.events[asked.index(other)].times * way <= t * way)
+        whole = solve(SIMPLE, (1.0, 0.0), t + way * 1e-9, method, events=[other])
+        assert found == whole.events[0].times.size
+        lanes = ensemble(SIMPLE, [(1.0, 0.0), (0.9, 0.0)], [50.0], method, events=asked)
+        counts.append([each.times.size for each in lanes.events])
+    assert counts[0] == counts[1][::-1]
+
+
 # ---- parity: velocities change their sign as often as the run reports it ----
 
 

@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     from pendula.systems import System
 
 
-_ROUNDINGS = 1024.0  # of an angle: nearer to the bottom, the energy has less than three digits
+_ROUNDINGS = 2.0**43  # of an angle, which the energy of a swing of that size has to ten digits
 
 
 @with_promised
@@ -111,13 +111,13 @@ class Trajectory:
         """What the energy's error is relative to, (), or (...) for several exact solutions [J]."""
         import numpy as np
 
-        start, least = self.system.energy(self.request.state), self.system.energy_scale
-        rest = np.full_like(start, np.finfo(float).tiny)
+        start = self.system.energy(self.request.state)
+        scale: Array = np.where(start < np.finfo(float).tiny, self.system.energy_scale, start)
         if self.system.can.periodic:
-            angles = self.request.state[..., : self.system.can.degrees_of_freedom]
-            off = _ROUNDINGS * np.spacing(np.abs(angles)).max(axis=-1)
-            rest = np.maximum(rest, 0.5 * least * np.minimum(off, 1.0) ** 2)
-        scale: Array = np.where(start <= rest, np.maximum(start, least), start)
+            half = self.system.can.degrees_of_freedom
+            beside = np.zeros_like(self.request.state)
+            beside[..., :half] = np.spacing(np.abs(self.request.state[..., :half])) * _ROUNDINGS
+            scale = np.maximum(scale, self.system.energy(np.minimum(beside, 1.0)))
         return scale
 
     @property

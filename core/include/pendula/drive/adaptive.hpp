@@ -106,13 +106,15 @@ class adaptive_run {
     for (event_tracker& each : trackers_) each.find(stepper_, stop / stepper_.length(), found_);
     std::stable_sort(found_.begin(), found_.end(),
                      [this](const crossing& a, const crossing& b) { return a.tau * direction_ < b.tau * direction_; });
+    bool terminated = false;
     for (const crossing& each : found_) {
-      consumer.event(*this, each.event, each.tau);
-      if (++counts_[each.event] != trackers_[each.event].what().terminal) continue;
+      if (terminated && !at_once(each.tau, stop, stepper_.length())) break;
+      consumer.event(*this, each.event, terminated ? stop : each.tau);
+      if (++counts_[each.event] != trackers_[each.event].what().terminal || terminated) continue;
       stop = each.tau;
-      return true;
+      terminated = true;
     }
-    return false;
+    return terminated;
   }
 
   Stepper& stepper_;

@@ -56,6 +56,12 @@ struct crossing {
   int event;
 };
 
+// Whether two crossings of a step are at the same instant: a run that one of them ends and the next run, which starts
+// on the targets of both, would lose the other.
+inline bool at_once(double tau, double other, double length) {
+  return std::fabs(tau - other) <= detail::unsure * std::fabs(length);
+}
+
 // One event of one run. Target n is the value and n turns (or the value alone, n = 0); the motion is in gap n between
 // targets n and n + 1 (or above, or in gap −1 below). The gap it was last in says whether a crossing next to the end
 // of a step has been reported already.

@@ -197,12 +197,13 @@ class lanes_run {
     std::stable_sort(found_[l].begin(), found_[l].end(),
                      [this](const crossing& a, const crossing& b) { return a.tau * direction_ < b.tau * direction_; });
     for (const crossing& each : found_[l]) {
-      const double t = two_sum(lane(time_.head[0], l), each.tau + lane(time_.tail[0], l)).head;
-      feed_.event(mine.trajectory, each.event, t, step.state_of(step.after(each.tau)));
-      if (++mine.counts[each.event] != task_.events[each.event].terminal) continue;
+      if (mine.terminated && !at_once(each.tau, lane(stop, l), step.length())) break;
+      const double tau = mine.terminated ? lane(stop, l) : each.tau;
+      const double t = two_sum(lane(time_.head[0], l), tau + lane(time_.tail[0], l)).head;
+      feed_.event(mine.trajectory, each.event, t, step.state_of(step.after(tau)));
+      if (++mine.counts[each.event] != task_.events[each.event].terminal || mine.terminated) continue;
       set_lane(stop, l, each.tau);
       mine.terminated = true;
-      break;
     }
     found_[l].clear();
     return mine.terminated;

@@ -14,19 +14,25 @@ auto amplitude_squared(const Sys& system, const typename Sys::state& y) {
 }
 
 // log2 of the amplitude of a small swing, roughly; 0, one radian, of other motions and at rest. The energy of the
-// smallest ones is below all numbers: 2^500 times as large they swing alike, and are still small. Below 2^-1000 what is
-// made of it would not be a number.
+// smallest ones is below all numbers: of those, a swing of some 2^-10 rad is looked at that is alike but for its size.
 template <Energetic Sys>
 roughly<typename Sys::scalar> log2_of_amplitude(const Sys& system, const typename Sys::state& y) {
   using S = typename Sys::scalar;
   using R = roughly<S>;
-  auto larger = y;
-  for (S& component : larger) component = S(0x1p500) * component;
-  const R of_state = amplitude_squared(system, y), of_larger = amplitude_squared(system, larger);
-  const auto tiny = mask_and(less(R(0.0), of_larger), less(of_larger, R(1.0)));
+  auto alike = y;
+  R largest(0.0);
+  for (S& component : alike) {
+    component = S(0x1p500) * component;
+    const R size = magnitude(rough(component));
+    largest = choose(less(largest, size), size, largest);
+  }
+  const R log2_of_largest = rough_log2(largest);
+  for (S& component : alike) component = S(rough_exp2(R(-10.0) - log2_of_largest)) * component;
+  const R of_state = amplitude_squared(system, y), of_alike = amplitude_squared(system, alike);
+  const auto tiny = mask_and(less(R(0.0), largest), less(largest, R(0x1p100)));
   const auto small = mask_and(less(R(0.0), of_state), less(of_state, R(1.0)));
-  const R amplitude = R(0.5) * choose(tiny, rough_log2(of_larger) - R(1000.0), rough_log2(of_state));
-  return choose(mask_or(tiny, small), choose(less(amplitude, R(-1000.0)), R(-1000.0), amplitude), R(0.0));
+  const R of_tiny = R(0.5) * rough_log2(of_alike) + (log2_of_largest - R(490.0));
+  return choose(tiny, of_tiny, choose(small, R(0.5) * rough_log2(of_state), R(0.0)));
 }
 
 }  // namespace pendula::inline PENDULA_MACHINE

@@ -44,8 +44,11 @@ class dop853_stepper {
     now_.step = S(0.0);
     const S squared = amplitude_squared(system_, y), log2_of_size = log2_of_amplitude(system_, y);
     const auto small = mask_and(less(S(0.0), squared), less(squared, S(1.0)));
-    now_.size =
-        choose(less(log2_of_size, S(-400.0)), rough_exp2(log2_of_size), choose(small, square_root(squared), S(1.0)));
+    const auto tiny = less(log2_of_size, S(-400.0));
+    now_.enlarged = choose(tiny, S(0x1p400), S(1.0));
+    const S enlarged = rough_exp2(log2_of_size + S(400.0)), least = S(0x1p-670) / tolerance_;
+    const S of_tiny = choose(less(enlarged, least), least, enlarged);  // no error is smaller than the smallest number
+    now_.size = choose(tiny, of_tiny, choose(small, square_root(squared), S(1.0)));
     evaluations_ = S(1.0);
     extra_evaluations_ = S(0.0);
   }
@@ -55,12 +58,16 @@ class dop853_stepper {
     point at;
     state slope;
     S step;  // to be tried next, without its sign; 0: none is known yet
-    S size;  // of the motion, in radians
+    // Of the motion, in radians, so many times enlarged: of the smallest swings, the inverse of an error allowed would
+    // be no number.
+    S size, enlarged;
   };
   const memory& remembered() const { return now_; }
   void resume(const memory& from) { now_ = from; }
   // On to the end of the step: `next` is what after(length()) says.
-  PENDULA_INLINE void proceed(const point& next) { now_ = {next, engine::unpaired(k_[last]), proposed_, now_.size}; }
+  PENDULA_INLINE void proceed(const point& next) {
+    now_ = {next, engine::unpaired(k_[last]), proposed_, now_.size, now_.enlarged};
+  }
 
   // Takes the trajectory of another stepper into a lane.
   template <class Other>
@@ -111,7 +118,7 @@ class dop853_stepper {
   }
 
   // What the motion is as large as, in radians, and its highest frequency.
-  double amplitude() const { return now_.size; }
+  double amplitude() const { return now_.size / now_.enlarged; }
   double frequency() const { return frequency_; }
 
   // Of the step's motion, on [0, 1] for the whole of it.
@@ -130,20 +137,17 @@ class dop853_stepper {
     S factor;  // to the length of the step that would just be accepted, with some safety
   };
 
-  // The inverse of an error allowed in the smallest swings is no number: that of 2^200 times as much is.
-  PENDULA_INLINE S enlarged() const { return choose(less(now_.size, S(0x1p-800)), S(0x1p200), S(1.0)); }
   PENDULA_INLINE state inverse_of_error_allowed() const {
-    const S tolerance = tolerance_ * enlarged();
     state inverse;
     for (std::size_t i = 0; i < inverse.size(); ++i) {
       const S size = i < freedom ? now_.size : frequency_ * now_.size;
-      inverse[i] = S(1.0) / (tolerance * (size + magnitude(now_.at.head[i])));
+      inverse[i] = S(1.0) / (tolerance_ * (size + now_.enlarged * magnitude(now_.at.head[i])));
     }
     return inverse;
   }
   PENDULA_INLINE S squares(const components& error, const components& inverse_scale) const {
     const S sum = engine::sum_of_squares(engine::each([&]<std::size_t i> { return error[i] * inverse_scale[i]; }));
-    return sum * (enlarged() * enlarged());
+    return sum * (now_.enlarged * now_.enlarged);
   }
 
   // Error = e5² / √(n (e5² + 0.01 e3²)) of both estimates in parts of what is allowed (Hairer, Nørsett & Wanner 1993,

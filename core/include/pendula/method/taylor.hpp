@@ -34,10 +34,7 @@ class taylor_stepper {
         inverse_(static_cast<std::size_t>(order_) + 2),
         log2_of_error_(log2_of_tolerance - 5.0) {
     double log2_of_factorial = 0.0;
-    for (int k = 1; k <= order_ + 1; ++k) {
-      inverse_[k] = S(1.0) / S(static_cast<double>(k));
-      log2_of_factorial += rough_log2(static_cast<double>(k));
-    }
+    for (int k = 1; k <= order_ + 1; ++k) log2_of_factorial += rough_log2(static_cast<double>(k));
     longest_phase_ = 1.1 * rough_exp2((log2_of_error_ + log2_of_factorial) / (order_ + 1));
     change(system);
   }
@@ -45,7 +42,14 @@ class taylor_stepper {
   // Takes another system.
   void change(const Sys& system) {
     system_ = system;
-    longest_ = R(longest_phase_) / square_root(rough(system.largest_frequency_squared()));
+    const R frequency_squared = rough(system.largest_frequency_squared());
+    // seconds, but where their powers would leave the range of numbers
+    const R log2_of_frequency = nearest_whole(R(0.5) * rough_log2(frequency_squared));
+    const auto extreme = less(R(20.0), magnitude(log2_of_frequency));
+    unit_ = choose(extreme, power_of_two(-log2_of_frequency), R(1.0));
+    in_units_ = R(1.0) / unit_;
+    for (int k = 1; k <= order_ + 1; ++k) inverse_[k] = S(unit_) / S(static_cast<double>(k));
+    longest_ = R(longest_phase_) / (square_root(frequency_squared) * unit_);
   }
 
   // Places the motion at a state (θ…, ω…). Errors are in parts of a radian, or of the amplitude of a small swing.
@@ -75,9 +79,11 @@ class taylor_stepper {
     length_ = R(direction) * choose(less(longest_, reach), longest_, reach);
     ++expansions_;
   }
-  R length() const { return length_; }
+  R length() const { return length_ * unit_; }
 
-  PENDULA_INLINE point after(S tau) const { return at_.moved_by(series_.increment(tau, inverse_.data())); }
+  PENDULA_INLINE point after(S tau) const {
+    return at_.moved_by(series_.increment(tau * S(in_units_), inverse_.data()));
+  }
   state state_of(const point& there) const { return system_.from_canonical(there.head); }
 
   const Sys& of() const { return system_; }
@@ -89,12 +95,15 @@ class taylor_stepper {
     set_lanes(system_, l, from.system_);
     set_lanes(at_, l, from.at_);
     set_lane(longest_, l, from.longest_);
+    set_lane(unit_, l, from.unit_);
+    set_lane(in_units_, l, from.in_units_);
+    for (std::size_t k = 1; k < inverse_.size(); ++k) set_lane(inverse_[k], l, from.inverse_[k]);
     set_lane(log2_of_scale_, l, from.log2_of_scale_);
   }
 
   // What the motion in a lane is as large as, in radians, and its highest frequency.
   double amplitude(int l = 0) const { return rough_exp2(lane(log2_of_scale_, l)); }
-  double frequency(int l = 0) const { return longest_phase_ / lane(longest_, l); }
+  double frequency(int l = 0) const { return longest_phase_ / (lane(longest_, l) * lane(unit_, l)); }
 
   // Of the step's motion in a lane, on [0, 1] for the whole of it. The velocity's has what the series does not know of
   // the velocity at the step's end as its last order: there it goes on in the next step without a gap, which might
@@ -137,7 +146,7 @@ class taylor_stepper {
   }
 
  private:
-  S velocity_at_end(int i) const { return state_of(after(S(length_)))[degrees_of_freedom<Sys> + i]; }
+  S velocity_at_end(int i) const { return state_of(after(S(length())))[degrees_of_freedom<Sys> + i]; }
   S velocity_of_series(int i) const {
     S sum = series_.velocity(i, order_ - 1);
     for (int k = order_ - 2; k >= 0; --k) sum = sum * S(length_) + series_.velocity(i, k);
@@ -174,10 +183,12 @@ class taylor_stepper {
   Sys system_{};
   int order_;
   typename Sys::series series_;
-  std::vector<S> inverse_;  // 1/k
+  std::vector<S> inverse_;  // unit/k
   double log2_of_error_;
   // a little more than the step of a small swing with the highest frequency: for what has no last terms, such as rest
   double longest_phase_;
+  // of time, in seconds: a power of two; the lengths are in parts of it
+  R unit_, in_units_;
   R longest_, log2_of_scale_, length_;
   std::int64_t expansions_ = 0;
   point at_;

@@ -36,12 +36,18 @@ PENDULA_INLINE S rough_log2(S x)
          (S(-2.50561466) + m * (S(4.04961689) + m * (S(-2.09940228) + m * (S(0.63551112) + m * S(-0.08001088)))));
 }
 
+// 2^n, exactly, of a whole number |n| ≤ 1000.
+template <class S>
+PENDULA_INLINE S power_of_two(S n) {
+  return from_bits<S>((bits(n + S(whole_number_magic)) + 1023) << 52);
+}
+
 // For |x| ≤ 1000, to 3e-6 of the result.
 template <class S>
 PENDULA_INLINE S rough_exp2(S x) {
   const S n = nearest_whole(x), f = x - n;
   const S part = S(1.00000008) + f * (S(0.69312103) + f * (S(0.24022107) + f * (S(0.05592204) + f * S(0.00967604))));
-  return part * from_bits<S>((bits(n + S(whole_number_magic)) + 1023) << 52);
+  return part * power_of_two(n);
 }
 
 }  // namespace pendula::inline PENDULA_MACHINE

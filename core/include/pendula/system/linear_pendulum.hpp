@@ -54,7 +54,7 @@ class linear_pendulum_series : public one_bob_series<S> {
                              const vec<S, 2>&, const S* inverse) {
     S* const w = this->velocity_.data();
     w[0] = point[1];
-    w[1] = -(of.frequency_squared * point[0]);
+    w[1] = -(of.frequency_squared * point[0] * inverse[1]);
     for (int k = 1; k < this->order_; ++k)
       w[k + 1] = -(of.frequency_squared * (w[k - 1] * inverse[k]) * inverse[k + 1]);
   }

@@ -8,7 +8,8 @@
 namespace pendula::inline PENDULA_MACHINE {
 
 // A series of a given even order, made by `expand` from a time and a point in canonical variables, each with its
-// tail, what it has beyond a double. `inverse` holds 1/k at place k.
+// tail, what it has beyond a double. `inverse` holds u/k at place k, where u is the unit of
+// time: each order is made of the ones before it by one such factor, so that the series is one in h/u.
 template <class Series, class Sys>
 concept SeriesOver =
     std::constructible_from<Series, int> &&
