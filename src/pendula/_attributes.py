@@ -1,3 +1,4 @@
-"""The attribute of files and datasets that holds what they were made from, as JSON."""
+"""Attributes of files and datasets."""
 
-KEY = "pendula"
+KEY = "pendula"  # what they were made from, as JSON
+UNFINISHED = "unfinished"  # of a store whose chunks are not all there

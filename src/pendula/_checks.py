@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-import importlib
+import importlib.util
 import math
 import operator
 from typing import TYPE_CHECKING, Any
@@ -31,10 +31,18 @@ def extra(module: str, name: str) -> Any:
     try:
         return importlib.import_module(module)
     except ImportError as error:
-        package = module.partition(".")[0]
-        raise MissingExtraError(
-            f'{package} is not installed; run: pip install "pendula[{name}]"'
-        ) from error
+        raise _missing(module, name) from error
+
+
+def installed(module: str, name: str) -> None:
+    """Refuse, as `extra`, a module that is not there, without importing it: that takes seconds."""
+    if importlib.util.find_spec(module) is None:
+        raise _missing(module, name)
+
+
+def _missing(module: str, name: str) -> MissingExtraError:
+    package = module.partition(".")[0]
+    return MissingExtraError(f'{package} is not installed; run: pip install "pendula[{name}]"')
 
 
 def number(name: str, value: object, unit: str = "") -> float:

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from pendula._checks import extra
+from pendula._checks import installed
 from pendula._messages import Message
 from pendula._version import __version__
 from pendula._writing import replacing
@@ -57,7 +57,7 @@ def run_study(
     recipe = read_recipe(recipe_path)
     labels(language)
     for package in ("matplotlib", "typst"):
-        extra(package, "report")
+        installed(package, "report")
     target = Path(out)
     _check_free(target, overwrite=overwrite)
     _make_parents(target)

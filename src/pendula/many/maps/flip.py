@@ -85,20 +85,11 @@ def flip_map(
     Raises:
         ValueError: for an argument out of range, or a store of another map.
     """
-    where = checked_map(system, theta1, theta2, shape, t_max)
-    for name, given, ends in zip(NAMES, (theta1, theta2), where[1].ranges, strict=True):
+    asked = FlipMap.checked(
+        system, theta1, theta2, shape, t_max, which, tolerance=tolerance, resolve=resolve
+    )
+    for name, given, ends in zip(NAMES, (theta1, theta2), asked.cells.ranges, strict=True):
         warn_of_degrees(name, given, ends)
-    again = flag("resolve", resolve)
-    within = checked_tolerance(system, where[-1], tolerance)
-    asked = FlipMap(*where, _checked_rod(which), within, again)
-    if again and asked.tolerance * TIGHTER < BEST_TOLERANCE:
-        raise ArgumentError(
-            "tolerance",
-            f"must be at least {BEST_TOLERANCE / TIGHTER:.3g} for another run with a thousandth "
-            "of it, got {value}",
-            "take a larger one, or <resolve=False>",
-            value=asked.tolerance,
-        )
     how: dict[str, Any] = {"client": client, "progress": progress, "threads": threads}
     return asked.dataset(store, **how, resume=resume, overwrite=overwrite)
 
@@ -113,6 +104,38 @@ class FlipMap(Map):
     which: int | None
     tolerance: float
     resolve: bool
+
+    @classmethod
+    def checked(
+        cls,
+        system: object,
+        theta1: object,
+        theta2: object,
+        shape: object,
+        t_max: object,
+        which: object = None,
+        *,
+        tolerance: object = 1e-8,
+        resolve: object = True,
+    ) -> FlipMap:
+        """The map that the arguments of `flip_map` ask for.
+
+        Raises:
+            ValueError: naming the argument.
+        """
+        where = checked_map(system, theta1, theta2, shape, t_max)
+        again = flag("resolve", resolve)
+        within = checked_tolerance(where[0], where[-1], tolerance)
+        asked = cls(*where, _checked_rod(which), within, again)
+        if again and within * TIGHTER < BEST_TOLERANCE:
+            raise ArgumentError(
+                "tolerance",
+                f"must be at least {BEST_TOLERANCE / TIGHTER:.3g} for another run with a "
+                "thousandth of it, got {value}",
+                "take a larger one, or <resolve=False>",
+                value=within,
+            )
+        return asked
 
     @property
     def variables(self) -> tuple[Variable, ...]:
