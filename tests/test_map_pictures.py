@@ -43,12 +43,14 @@ def noise(n1: int, n2: int, width: float = 1.0) -> xr.Dataset:
 def image_of(figure: Figure) -> np.ndarray:
     """The cells as they are drawn, the top row first."""
     shown = figure.axes[0].get_images()[0].get_array()
-    return np.asarray(shown)[::-1]
+    rows: np.ndarray = np.asarray(shown)[::-1]
+    return rows
 
 
 def as_png(png: bytes) -> np.ndarray:
-    read: np.ndarray = matplotlib.image.imread(io.BytesIO(png))
-    return np.rint(255 * read[..., :3]).astype(int)
+    read: Any = matplotlib.image.imread(io.BytesIO(png))
+    bytes_of: np.ndarray = np.rint(255 * read[..., :3]).astype(int)
+    return bytes_of
 
 
 def holds(picture: np.ndarray, cells: np.ndarray, factors: tuple[int, int]) -> bool:

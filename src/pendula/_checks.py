@@ -195,11 +195,12 @@ def flag(name: str, value: object) -> bool:
     return bool(value)
 
 
-def check_progress(progress: object) -> None:
-    """Refuse what cannot be called."""
+def checked_progress(progress: object) -> Any:
+    """`progress`, which has to be a function or None: `with_bar` has made one of True."""
     if progress is not None and not callable(progress):
-        rule = "must be a function of the part that is done, or None, got {value}"
+        rule = "must be a function of the part that is done, True for a bar, or None, got {value}"
         raise ArgumentError("progress", rule, value=progress)
+    return progress
 
 
 def one_of(name: str, value: object, choices: Iterable[str]) -> str:

@@ -7,8 +7,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from pendula._checks import installed
+from pendula._checks import checked_progress, installed
 from pendula._messages import Message
+from pendula._progress import with_bar
 from pendula._version import __version__
 from pendula._writing import replacing
 from pendula.plot.labels import labels
@@ -25,13 +26,14 @@ _MARKS = {"recipe.toml", "report.html", "report.pdf"}
 _RUNS, _DATA, _FIGURES, _REPORT = 0.0, 0.25, 0.28, 0.9
 
 
+@with_bar("study")
 def run_study(
     recipe_path: Path | None,
     out: Path,
     language: str = "en",
     *,
     overwrite: bool = False,
-    progress: StepProgress | None = None,
+    progress: StepProgress | bool | None = None,
 ) -> Path:
     """Run the study and write its report.
 
@@ -43,7 +45,8 @@ def run_study(
         out: the folder to make.
         language: of the report, "en" or "es".
         overwrite: replace what stands at `out`, once the new study is complete.
-        progress: called with what is being done and the share that is done, from 0 to 1.
+        progress: called with what is being done and the share that is done, from 0 to 1; True: a
+            bar, in a notebook or a terminal.
 
     Returns:
         The folder.
@@ -54,6 +57,7 @@ def run_study(
         RuntimeError: if the reference run of the recipe breaks down.
         MissingExtraError: without the packages of the extra "report".
     """
+    report: StepProgress = checked_progress(progress) or (lambda label, share: None)
     recipe = read_recipe(recipe_path)
     labels(language)
     for package in ("matplotlib", "typst"):
@@ -62,7 +66,7 @@ def run_study(
     _check_free(target, overwrite=overwrite)
     _make_parents(target)
     with replacing(target, overwrite=overwrite) as unfinished:
-        _write(recipe, unfinished, language, progress or (lambda label, share: None))
+        _write(recipe, unfinished, language, report)
         _check_free(target, overwrite=overwrite)
     return target
 

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 from pendula._angles import warn_of_degrees
 from pendula._checks import positive_number
 from pendula._messages import ArgumentError
+from pendula._progress import with_bar
 from pendula.many.chunks import Variable
 from pendula.many.maps.base import Map, checked_map, checked_tolerance
 from pendula.many.maps.cells import NAMES
@@ -20,13 +21,14 @@ if TYPE_CHECKING:
     import xarray as xr
     from numpy.typing import NDArray
 
-    from pendula._progress import Progress
+    from pendula._progress import AskedProgress, Progress
     from pendula.many.chunks import Chunk
     from pendula.systems import DoublePendulum
 
 SMALLEST_SEPARATION, LARGEST_SEPARATION = 1e-13, 1e-2  # rad
 
 
+@with_bar("divergence map")
 def divergence_map(
     system: DoublePendulum,
     theta1: tuple[float, float],
@@ -39,7 +41,7 @@ def divergence_map(
     store: str | Path | None = None,
     client: Any = None,
     threads: int | None = None,
-    progress: Progress = None,
+    progress: AskedProgress = None,
     resume: bool = True,
     overwrite: bool = False,
 ) -> xr.Dataset:
