@@ -157,7 +157,8 @@ def _shows() -> list[Any]:
     both = ensemble(two, (1.0, 0.0), [1.0, 2.0], certify=1e-6, events=[events.angle(1, 0.0)])
     systems = [LinearPendulum(), SimplePendulum(), DoublePendulum.bobs(), RODS]
     empty = exact(SimplePendulum(), (1.0, 0.0), [])
-    return [falling, crossed, broken, grid, none, both, empty, *systems]
+    wild = solve(LinearPendulum(1e-3), (1.0, 0.0), 10.0, "euler", step=0.02)
+    return [falling, crossed, broken, wild, grid, none, both, empty, *systems]
 
 
 def test_every_object_is_a_plain_table() -> None:

@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from pendula.plot.labels import Labels
 
 
-MOST = 4096  # cells along an axis of a picture: 16 million are 0.6 GB while it is drawn
+MOST = 4096  # cells along an axis of a picture: 16 million take 2 GB while they are drawn
 _AT_ONCE = 2**23  # cells read at once: 64 MB of times
 _DIMS = ("theta1", "theta2")
 _PARTS = tuple(Fraction(n, d) for n, d in ((1, 12), (1, 6), (1, 4), (1, 2), (1, 1), (2, 1)))

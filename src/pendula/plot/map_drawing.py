@@ -137,8 +137,7 @@ def colour_bar(
     tall = max(1.0, (high - low) / (right - left)) if ax.get_aspect() != "auto" else 1.0
     place = ax.inset_axes((1.0 + 0.025 * tall, 0.0, 0.03 * tall, 1.0))
     place.grid(visible=False)
-    inside = norm(values)
-    ends = bool((inside < 0).any()), bool((inside > 1).any())
+    ends = bool(norm(values.min()) < 0), bool(norm(values.max()) > 1)
     extend = {(0, 0): "neither", (1, 0): "min", (0, 1): "max", (1, 1): "both"}[ends]
     scale = ScalarMappable(norm, colours)
     bar = figure.colorbar(scale, cax=place, extend=extend)

@@ -196,6 +196,8 @@ class Trajectory:
 
     def _told(self) -> Iterator[tuple[str, str]]:
         """Names and values of what the run was and gave."""
+        import numpy as np
+
         yield "system", repr(self.system)
         span = f", t = {self.t[0]:g} … {self.t[-1]:g} s" if self.t.size else ""
         yield "times", f"{self.t.size}{span}"
@@ -212,7 +214,8 @@ class Trajectory:
             yield "steps", f"{self.n_steps}, {self.n_evaluations} evaluations"
         if self.t.size:
             name = "energy error" if self.system.can.conservative else "energy change"
-            yield f"largest {name}", f"{abs(self.energy_error).max():.2g}"
+            with np.errstate(over="ignore", invalid="ignore"):  # of a run that blew up
+                yield f"largest {name}", f"{abs(self.energy_error).max():.2g}"
         for event, crossings in zip(self.request.events, self.events, strict=False):
             yield repr(event), f"{len(crossings.times)} times"
         if self.trust_horizon is not None:
