@@ -254,17 +254,18 @@ def test_study_hands_on_what_was_asked_for(call: Call, monkeypatch: pytest.Monke
         out: Path,
         language: str,
         *,
+        figures: tuple[str, ...],
         overwrite: bool,
         progress: Callable[[str, float], None],
     ) -> Path:
-        seen.extend([recipe, out, language, overwrite])
+        seen.extend([recipe, out, language, figures, overwrite])
         for share in (0.0, 0.25, 0.5):
             progress("drawing" if share else "solving", share)
         return out
 
     monkeypatch.setattr("pendula.study.run_study", run_study)
     Path("mine.toml").touch()
-    code, printed, told = call("study mine.toml --out folder --lang es --force")
+    code, printed, told = call("study mine.toml --out folder --lang es --figures png --force")
     assert (code, printed) == (0, f"{Path('folder/report.html')}\n")
     assert told.splitlines() == ["  0% solving", " 25% drawing"]
-    assert seen == [Path("mine.toml"), Path("folder"), "es", True]
+    assert seen == [Path("mine.toml"), Path("folder"), "es", ("png",), True]

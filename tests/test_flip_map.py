@@ -220,7 +220,10 @@ def test_progress_rises_to_the_end() -> None:
         ({"store": 5}, "store must be a path or a URL such as 'map.zarr', got 5"),
         ({"store": ""}, "store must be a path or a URL"),
         ({"store": "flips.nc"}, "store must be a Zarr store such as 'map.zarr', got 'flips.nc'"),
-        ({"progress": 5}, "progress must be a function of the part that is done, or None, got 5"),
+        (
+            {"progress": 5},
+            "progress must be a function of the part that is done, True for a bar, or None, got 5",
+        ),
     ],
 )
 def test_wrong_calls_are_refused(given: dict[str, Any], message: str) -> None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 import subprocess
 import sys
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import matplotlib
 import numpy as np
@@ -48,7 +48,7 @@ WORK = [
 
 
 def _figures(language: str) -> dict[str, Figure]:
-    words = {"language": language}
+    words: dict[str, Any] = {"language": language}
     simple, double = _runs(SIMPLE, LARGE, "exact"), _runs(RODS, START, "reference")
     errors = {m: np.abs(r.energy_error) for m, r in double.items()}
     steps = np.geomspace(0.1, 0.00625, 5)

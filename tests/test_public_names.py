@@ -101,7 +101,7 @@ def test_a_method_takes_what_its_declaration_says(name: str) -> None:
     """Type checkers read the declaration; `help` shows the function."""
     tree = ast.parse(Path(trajectory.__file__).read_text(encoding="utf-8"))
     nodes = [each for each in ast.walk(tree) if isinstance(each, ast.FunctionDef)]
-    declared = next(each for each in nodes if each.name == name)
+    *_, declared = (each for each in nodes if each.name == name)  # after its overloads
     method: Any = getattr(trajectory.Trajectory, name)
     _, *taken = inspect.signature(method).parameters.values()
     arguments = declared.args

@@ -6,7 +6,7 @@ import csv
 import re
 import sys
 from pathlib import Path
-from typing import Any, NoReturn
+from typing import TYPE_CHECKING, Any, NoReturn
 
 import pytest
 
@@ -15,6 +15,9 @@ pytest.importorskip("typst")
 
 from pendula.study import run_study
 from pendula.study.figures import Figures
+
+if TYPE_CHECKING:
+    from commands import Call
 
 
 def _recipe(until: str = "5 s", output: str = "20 ms", more: str = "") -> str:
@@ -188,3 +191,41 @@ def test_rods_at_rest_are_said_to_be_so(quick: Path, monkeypatch: pytest.MonkeyP
         quick.write_text(_recipe("1 s", more=rest))
         run_study(quick, quick.parent / rate[0], "en")
     assert seen == [True, False]
+
+
+@pytest.mark.parametrize("kinds", [("pdf",), ("png", "pdf")])
+def test_figures_are_also_written_for_other_programs(quick: Path, kinds: tuple[str, ...]) -> None:
+    starts = {"svg": b"<?xml", "pdf": b"%PDF-", "png": b"\x89PNG"}
+    out = run_study(quick, quick.parent / "out", "en", figures=kinds)
+    names = {path.stem for path in (out / "figures").glob("*.svg")}
+    assert len(names) == 14
+    written = {path.name for path in (out / "figures").iterdir()}
+    assert written == {f"{name}.{kind}" for name in names for kind in ("svg", *kinds)}
+    for path in (out / "figures").iterdir():
+        assert path.read_bytes().startswith(starts[path.suffix[1:]])
+
+
+@pytest.mark.usefixtures("undrawn")
+def test_an_unknown_kind_of_figures_is_refused_at_once(quick: Path) -> None:
+    for wrong in ("gif", ("pdf", "eps")):
+        with pytest.raises(ValueError, match="figures must be one of pdf, png; got"):
+            run_study(quick, quick.parent / "out", "en", figures=wrong)
+    assert _nothing_left(quick.parent)
+
+
+def test_the_command_writes_figures_too(quick: Path, call: Call) -> None:
+    code, printed, _ = call(f"study {quick} --out out --figures pdf --figures png")
+    assert (code, printed) == (0, "out/report.html\n")
+    assert Path("out/figures/periods.pdf").exists()
+    assert Path("out/figures/periods.png").exists()
+    code, _, told = call("study --out other --figures gif")
+    assert code == 2
+    assert "'gif' is not one of 'pdf', 'png'" in told
+
+
+def test_letters_of_the_figures_are_letters_in_the_report(quick: Path) -> None:
+    """The typesetter has no letters of its own for them, and would take others."""
+    out = run_study(quick, quick.parent / "out", "en")
+    assert b"+DejaVuSans" in (out / "report.pdf").read_bytes().replace(b"+DejaVuSansMono", b"")
+    for figure in (out / "figures").glob("*.svg"):
+        assert "<text" in figure.read_text(encoding="utf-8")

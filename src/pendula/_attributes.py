@@ -1,6 +1,4 @@
-"""The attribute of files and datasets that holds what they were made from, as JSON.
+"""Attributes of files and datasets. In what `KEY` holds, the version that made them has the same name."""
 
-In it the version that made them has the same name.
-"""
-
-KEY = "pendula"
+KEY = "pendula"  # what they were made from, as JSON
+UNFINISHED = "unfinished"  # of a store whose chunks are not all there

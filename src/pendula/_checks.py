@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-import importlib
+import importlib.util
 import math
 import operator
 from typing import TYPE_CHECKING, Any
@@ -32,10 +32,18 @@ def extra(module: str, name: str) -> Any:
     try:
         return importlib.import_module(module)
     except ImportError as error:
-        package = module.partition(".")[0]
-        raise MissingExtraError(
-            f'{package} is not installed; run: pip install "pendula[{name}]"'
-        ) from error
+        raise _missing(module, name) from error
+
+
+def installed(module: str, name: str) -> None:
+    """Refuse, as `extra`, a module that is not there, without importing it: that takes seconds."""
+    if importlib.util.find_spec(module) is None:
+        raise _missing(module, name)
+
+
+def _missing(module: str, name: str) -> MissingExtraError:
+    package = module.partition(".")[0]
+    return MissingExtraError(f'{package} is not installed; run: pip install "pendula[{name}]"')
 
 
 def number(name: str, value: object, unit: str = "") -> float:
@@ -182,11 +190,12 @@ def flag(name: str, value: object) -> bool:
     return bool(value)
 
 
-def check_progress(progress: object) -> None:
-    """Refuse what cannot be called."""
+def checked_progress(progress: object) -> Any:
+    """`progress`, which has to be a function or None: `with_bar` has made one of True."""
     if progress is not None and not callable(progress):
-        rule = "must be a function of the part that is done, or None, got {value}"
+        rule = "must be a function of the part that is done, True for a bar, or None, got {value}"
         raise ArgumentError("progress", rule, value=progress)
+    return progress
 
 
 def one_of(name: str, value: object, choices: Iterable[str]) -> str:

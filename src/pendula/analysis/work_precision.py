@@ -12,8 +12,9 @@ from numpy.typing import ArrayLike
 
 from pendula import _engine
 from pendula._angles import warn_of_degrees
-from pendula._checks import finite_number, whole_number
+from pendula._checks import checked_progress, finite_number, whole_number
 from pendula._messages import ArgumentError
+from pendula._progress import with_bar
 from pendula._rules import refuse
 from pendula.analysis.difference import angle_difference
 from pendula.analysis.method_work import MethodWork, WorkPrecision
@@ -48,6 +49,7 @@ _ROUNDS, _ENOUGH, _MOST_REPETITIONS = 3, 0.003, 30
 _SLOW = 0.1  # a run that takes so many seconds is not repeated
 
 
+@with_bar("compare")
 def work_precision(
     system: System,
     state: ArrayLike,
@@ -57,7 +59,7 @@ def work_precision(
     t0: float = 0.0,
     points: int = POINTS,
     timed: bool = True,
-    progress: StepProgress | None = None,
+    progress: StepProgress | bool | None = None,
 ) -> WorkPrecision:
     """Run methods with ever smaller steps or tolerances, and see what their errors cost.
 
@@ -76,7 +78,8 @@ def work_precision(
         t0: time of the state [s].
         points: runs of each method, 2 to 100. The steps are parts of the motion's time scale.
         timed: measure times too, which differ from run to run.
-        progress: called with the method and the part of all that is done, 0 to 1.
+        progress: called with the method and the part of all that is done, 0 to 1; True: a bar, in a
+            notebook or a terminal.
 
     Raises:
         ValueError: for an unknown method or an argument out of range.
@@ -91,7 +94,7 @@ def work_precision(
     chosen = _chosen(system, methods)
     scales = abs(end - origin) / time_scale(system, start)
     t = np.linspace(origin, end, _outputs(scales) + 1)[1:]
-    report = progress or (lambda label, share: None)
+    report: StepProgress = checked_progress(progress) or (lambda label, share: None)
     part = 1 / (len(chosen) + 1)
     report("reference", 0.0)
     reference, bound = _reference(

@@ -12,6 +12,7 @@ import click
 
 from pendula.cli.groups import ChoiceGroup, one_each
 from pendula.cli.map_output import check_targets, summary, write
+from pendula.cli.map_picture import look_options
 from pendula.cli.options import (
     run_options,
     run_options_of,
@@ -87,7 +88,7 @@ def _divergence_options(entry: SystemEntry) -> list[click.Parameter]:
 
 def _output_options() -> list[click.Parameter]:
     file = "a resumable .zarr store or a .nc file"
-    return [*file_and_picture(file, "the map"), *store_options()]
+    return [*file_and_picture(file, "the map"), *look_options(), *store_options()]
 
 
 def _map(kind: str, entry: SystemEntry, **given: Any) -> None:
@@ -101,6 +102,8 @@ def _compute(kind: str, entry: SystemEntry, given: dict[str, Any]) -> None:
 
     out, picture = check_targets(given)
     asked = {**_asked(entry, given), **_OWN[kind](given)}
+    kinds: dict[str, Any] = {"flip": maps.FlipMap, "divergence": maps.DivergenceMap}
+    kinds[kind].checked(**asked)  # refused before a cluster is waited for
     cells = asked["shape"][0] * asked["shape"][1]
     store = out if out is not None and Path(out).suffix == ".zarr" else None
     with (
@@ -117,7 +120,7 @@ def _compute(kind: str, entry: SystemEntry, given: dict[str, Any]) -> None:
             resume=given["resume"],
             overwrite=given["force"],
         )
-        write(kind, found, None if store else out, picture, given)
+        write(found, None if store else out, picture, given)
         cells_found = summary(kind, found)
     click.echo(f"{out}: {cells_found}" if out else cells_found)
     if picture:

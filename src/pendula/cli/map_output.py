@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from pendula.cli.pictures import checked_picture, write_picture
+from pendula.cli.map_picture import checked_map_picture, draw_map
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -25,33 +25,28 @@ def check_targets(given: dict[str, Any]) -> tuple[str | None, Path | None]:
         ValueError: for an unknown ending.
         OSError: where one cannot be written, or exists without --force.
     """
-    from pendula._checks import extra
+    from pendula._checks import installed
     from pendula._writing import refuse_existing
 
     out = given["out"]
-    extra("xarray", "io")
+    installed("xarray", "io")
     ending = None if out is None else Path(out).suffix
     if ending not in (None, ".zarr", ".nc"):
         raise ValueError(f"--output must end in .zarr or .nc, got {Path(out).name!r}")
     if given["resume"] and ending != ".zarr":
         raise click.UsageError("--resume needs a .zarr store: -o map.zarr")
     if ending == ".nc":
-        extra("h5netcdf", "io")
+        installed("h5netcdf", "io")
         refuse_existing(Path(out), overwrite=given["force"])
-    return out, checked_picture(given)
+    return out, checked_map_picture(given)
 
 
-def write(
-    kind: str, found: xr.Dataset, out: str | None, picture: Path | None, given: dict[str, Any]
-) -> None:
+def write(found: xr.Dataset, out: str | None, picture: Path | None, given: dict[str, Any]) -> None:
     """Draw first, so that a picture that fails leaves no file behind; a store is there already."""
     from pendula._writing import replacing
 
     if picture is not None:
-        from pendula import plot
-
-        draw = {"flip": plot.flip_map, "divergence": plot.divergence_map}[kind]
-        write_picture(draw(found, language=given["lang"]), picture, given)
+        draw_map(found, picture, given)
     if out is not None:
         with replacing(Path(out), overwrite=given["force"]) as unfinished:
             found.to_netcdf(unfinished, engine="h5netcdf")

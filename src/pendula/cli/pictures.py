@@ -11,6 +11,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 _ENDINGS = (".png", ".svg", ".pdf")
+_FEWEST, _MOST = 20, 4800  # dots an inch: a picture of 128 pixels, and one of 30 000
 
 
 def file_and_picture(file: str, picture: str) -> list[click.Parameter]:
@@ -19,11 +20,24 @@ def file_and_picture(file: str, picture: str) -> list[click.Parameter]:
         click.Option(
             ["out", "-o", "--output"], type=click.Path(), metavar="FILE", help=f"write {file}"
         ),
+        *picture_options(picture),
+    ]
+
+
+def picture_options(picture: str) -> list[click.Parameter]:
+    """The options --picture, --dpi and --lang."""
+    return [
         click.Option(
             ["--picture"],
             type=click.Path(),
             metavar="FILE",
             help=f"draw {picture}: .png, .svg or .pdf",
+        ),
+        click.Option(
+            ["--dpi"],
+            type=int,
+            metavar="N",
+            help="dots per inch of a .png [default: 200; of a map at least a pixel per cell]",
         ),
         click.Option(
             ["--lang"],
@@ -42,21 +56,36 @@ def checked_picture(given: dict[str, Any]) -> Path | None:
         ValueError: for an unknown ending.
         OSError: where it cannot be written, or exists without --force.
     """
-    from pendula._checks import extra
+    from pendula._checks import installed
     from pendula._writing import refuse_existing
 
     if given["picture"] is None:
+        if given["dpi"] is not None:
+            raise ValueError("--dpi goes with --picture; name the picture")
         return None
     picture = Path(given["picture"])
     if picture.suffix.lower() not in _ENDINGS:
         raise ValueError(
             f"--picture must end in one of {', '.join(_ENDINGS)}, got {str(picture)!r}"
         )
-    extra("matplotlib", "report")
+    _check_dpi(given["dpi"], picture)
+    installed("matplotlib", "report")
     if given.get("resume") and picture.exists():  # --force would overwrite the store
         raise FileExistsError(f"{picture} exists; remove it, or name another")
     refuse_existing(picture, overwrite=given["force"])
     return picture
+
+
+def _check_dpi(dpi: int | None, picture: Path) -> None:
+    """Refuse dots that no picture, or not this one, can have."""
+    if dpi is None:
+        return
+    if picture.suffix.lower() != ".png":
+        raise ValueError(
+            f"--dpi is for a .png, which has dots; {picture.name} has none: leave out --dpi"
+        )
+    if not _FEWEST <= dpi <= _MOST:
+        raise ValueError(f"--dpi must be a whole number from {_FEWEST} to {_MOST}, got {dpi}")
 
 
 def write_picture(figure: Figure, picture: Path, given: dict[str, Any]) -> None:
@@ -64,6 +93,6 @@ def write_picture(figure: Figure, picture: Path, given: dict[str, Any]) -> None:
     from pendula import plot
     from pendula._writing import replacing
 
-    drawn = plot.picture(figure, picture.suffix[1:].lower())
+    drawn = plot.picture(figure, picture.suffix[1:].lower(), given["dpi"])
     with replacing(picture, overwrite=given["force"]) as unfinished:
         unfinished.write_bytes(drawn)

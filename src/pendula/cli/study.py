@@ -17,8 +17,14 @@ from pendula.cli.progress import progress_bar
     show_default=True,
     help="language of the report",
 )
+@click.option(
+    "--figures",
+    multiple=True,
+    type=click.Choice(["pdf", "png"]),
+    help="also write each figure as .pdf (LaTeX) or .png (Word), besides .svg; may be repeated",
+)
 @click.option("--force", is_flag=True, help="overwrite the folder if it holds a study")
-def command(recipe: str | None, out: str, lang: str, force: bool) -> None:
+def command(recipe: str | None, out: str, lang: str, figures: tuple[str, ...], force: bool) -> None:
     """Run the paper's study, or that of a RECIPE.toml, and write its report."""
     from pathlib import Path
 
@@ -30,7 +36,9 @@ def command(recipe: str | None, out: str, lang: str, force: bool) -> None:
         raise NotADirectoryError(f"cannot write {out}: {above} is not a folder")
     try:
         with progress_bar() as progress:
-            folder = run_study(given, Path(out), lang, overwrite=force, progress=progress)
+            folder = run_study(
+                given, Path(out), lang, figures=figures, overwrite=force, progress=progress
+            )
     except RuntimeError as error:
         raise click.ClickException(str(error)) from error
     click.echo(folder / "report.html")

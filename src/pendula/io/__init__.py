@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from pendula._checks import MissingExtraError, extra, one_of
+from pendula._checks import MissingExtraError, installed, one_of
 from pendula._late_methods import method_of
 from pendula._messages import one_line
 from pendula._writing import refuse_existing, replacing
@@ -56,7 +56,7 @@ def check_target(path: str | PathLike[str], *, overwrite: bool = False) -> None:
     """
     target = Path(path)
     for package in files.packages(_ending(target)):
-        extra(package, "io")
+        installed(package, "io")
     refuse_existing(target, overwrite=overwrite)
 
 

@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from pendula import _engine
 from pendula._angles import warn_of_degrees
-from pendula._checks import check_progress, finite_number, states_array
+from pendula._checks import checked_progress, finite_number, states_array
 from pendula._messages import ArgumentError
-from pendula._progress import part
+from pendula._progress import part, with_bar
 from pendula._rules import broken, refuse
+from pendula._tables import html_table
 from pendula.many.tasks import Runs, Task, checked_threads, run_task
 from pendula.run.options import STANDARD_METHOD, checked_types, takes_options
 from pendula.run.request import checked_name, times_array
@@ -24,7 +26,7 @@ if TYPE_CHECKING:
 
     from numpy.typing import ArrayLike
 
-    from pendula._progress import Progress
+    from pendula._progress import AskedProgress, Progress
     from pendula._types import Array
     from pendula.run.options import RunOptions
 
@@ -49,6 +51,21 @@ class Ensemble(Runs):
     def __repr__(self) -> str:
         return f"<Ensemble of {len(self)} trajectories at {self.t.size} times by {self.method}>"
 
+    def _repr_html_(self) -> str:
+        """What a notebook shows: what was run, and how the runs ended."""
+        one = isinstance(self.systems, System)
+        counts = Counter(self.outcomes.tolist())
+        rows = [
+            ("system" if one else "systems", repr(self.systems) if one else _several(self.systems)),
+            ("trajectories", str(len(self))),
+            ("times", f"{self.t.size}" + (f", until t = {self.t[-1]:g} s" if self.t.size else "")),
+            ("outcomes", ", ".join(f"{count} {name}" for name, count in counts.most_common())),
+        ]
+        rows += [(f"event {i}", f"{len(each.times)} times") for i, each in enumerate(self.events)]
+        if self.trust_horizon is not None and len(self):
+            rows.append(("trusted until", f"{self.trust_horizon.min():g} s or later"))
+        return html_table(f"Ensemble by {self.method}", rows)
+
     @property
     def energy(self) -> Array:
         """Total energy at the outputs, (n, m), NaN after the end of a run that ended early [J]."""
@@ -67,6 +84,12 @@ class Ensemble(Runs):
         return energies
 
 
+def _several(systems: Any) -> str:
+    """How many systems, and the first of them."""
+    return f"{len(systems)}, the first {systems[0]!r}"
+
+
+@with_bar("ensemble")
 @takes_options()
 def ensemble(
     system: System | Sequence[System],
@@ -76,7 +99,7 @@ def ensemble(
     *,
     t0: float = 0.0,
     threads: int | None = None,
-    progress: Progress = None,
+    progress: AskedProgress = None,
     **options: Unpack[RunOptions],
 ) -> Ensemble:
     """The motions from many states, or of many systems, or both.
@@ -92,7 +115,8 @@ def ensemble(
             dop853 with events.
         t0: time of the states [s].
         threads: None: one for each processor.
-        progress: called with the part of the trajectories that is done, 0 to 1.
+        progress: called with the part of the trajectories that is done, 0 to 1; True: a bar, in
+            a notebook or a terminal.
         **options: see `RunOptions`.
 
     `certify` takes some fifty times as long as the runs. With `digits` one trajectory is run after
@@ -104,7 +128,7 @@ def ensemble(
     Raises:
         ValueError: for an argument out of range.
     """
-    check_progress(progress)
+    report: Progress = checked_progress(progress)
     systems = _checked_systems(system)
     starts, parameters = _checked_rows(systems, states)
     angles = starts[:, : systems[0].can.degrees_of_freedom]
@@ -112,9 +136,9 @@ def ensemble(
     task = _checked_task(systems, starts, t, method, t0, options)
     count = checked_threads(threads)
     if task.digits is None:
-        found = run_task(task, parameters, starts, count, progress)
+        found = run_task(task, parameters, starts, count, report)
     else:
-        found = _runs_with_digits(task, systems, starts, task.digits, progress)
+        found = _runs_with_digits(task, systems, starts, task.digits, report)
     asked = system if isinstance(system, System) else systems
     return Ensemble(systems=asked, method=task.method, t=task.t, **vars(found))
 

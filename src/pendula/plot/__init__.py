@@ -4,7 +4,7 @@ matplotlib is imported by the first figure drawn.
 """
 
 from pendula.plot.comparison import angles, convergence, parting, series, tip_paths
-from pendula.plot.maps import divergence_map, flip_map
+from pendula.plot.maps import divergence_map, flip_map, stored_map
 from pendula.plot.overview import trajectory
 from pendula.plot.pendulum import elliptic_cost, linear_error, periods, phase_portrait
 from pendula.plot.style import picture, svg
@@ -22,6 +22,7 @@ __all__ = [
     "phase_portrait",
     "picture",
     "series",
+    "stored_map",
     "svg",
     "tip_paths",
     "trajectory",

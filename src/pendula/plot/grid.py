@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from pendula._attributes import UNFINISHED
 from pendula._messages import ArgumentError
 from pendula.plot.style import degree_ticks
 
@@ -23,7 +24,7 @@ if TYPE_CHECKING:
     from pendula.plot.labels import Labels
 
 
-MOST = 1500  # cells along an axis of a picture: more than its pixels
+MOST = 4096  # cells along an axis of a picture: 16 million take 2 GB while they are drawn
 _AT_ONCE = 2**23  # cells read at once: 64 MB of times
 _DIMS = ("theta1", "theta2")
 _PARTS = tuple(Fraction(n, d) for n, d in ((1, 12), (1, 6), (1, 4), (1, 2), (1, 1), (2, 1)))
@@ -59,8 +60,12 @@ def picked(
     """The cells to draw, (n2, n1) of each variable: every k-th, where there are too many.
 
     Raises:
-        ValueError: for a dataset without these variables over theta1 and theta2.
+        ValueError: for a dataset without these variables over theta1 and theta2, or one whose cells
+            are not all computed.
     """
+    if UNFINISHED in dataset.attrs:
+        rule = "must be finished, but some of its chunks are not computed yet"
+        raise ArgumentError("dataset", rule, "run <call=the call that made the store again>")
     for name in names:
         found = dataset[name].dims if name in dataset else None
         if found is None or set(found) != set(_DIMS):

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, overload
 
 import numpy as np
 
 from pendula._late_methods import method_of
+from pendula._messages import ArgumentError
 from pendula.plot.labels import Labels, labels
 from pendula.plot.style import (
     INK,
@@ -20,6 +21,8 @@ from pendula.plot.style import (
 from pendula.run.trajectory import Trajectory
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
@@ -28,34 +31,52 @@ _SECOND = "#0072b2"
 
 
 @method_of(Trajectory)
-def plot(run: Trajectory) -> Figure:
-    """Angles, phase portrait or path, and energy error in one figure (extra: report)."""
-    return trajectory(run)
+def plot(run: Trajectory, *, ax: Any = None, language: str = "en") -> Any:
+    """Angles, phase portrait or path, and energy error in one figure (extra: report).
+
+    `ax` and `language` are as for `pendula.plot.trajectory`.
+    """
+    return trajectory(run, ax=ax, language=language)
+
+
+@overload
+def trajectory(trajectory: Trajectory, *, ax: None = None, language: str = "en") -> Figure: ...
+
+
+@overload
+def trajectory(
+    trajectory: Trajectory, *, ax: Axes | Sequence[Axes], language: str = "en"
+) -> Any: ...
 
 
 @styled
-def trajectory(trajectory: Trajectory, *, language: str = "en") -> Figure:
+def trajectory(trajectory: Trajectory, *, ax: Any = None, language: str = "en") -> Any:
     """One run at a glance: angles, phase portrait or path of the tip, energy error.
 
     Args:
         trajectory: what `solve` or `exact` returned, with states of shape (n, 2) or (n, 4).
+        ax: axes to draw into: one, for the angles alone, or three, for the angles, the energy error
+            and the portrait or path; None: a figure of its own.
         language: "en" or "es".
 
     Returns:
-        A figure for a notebook to show, or for `.savefig(path)`.
+        A figure, which a notebook shows, for `.savefig(path)`; or the axes given.
 
     Raises:
-        ValueError: for several trajectories at once, or an unknown language.
+        ValueError: for several trajectories at once, other axes, or an unknown language.
     """
     if trajectory.states.ndim != 2:
         raise ValueError(
             f"one trajectory at a time can be drawn, not states of shape {trajectory.states.shape}"
         )
     words = labels(language)
+    if ax is not None:
+        _into(_axes(ax), trajectory, words)
+        return ax
     figure, axes = panels(2, 2, 4.4, words, gridspec_kw={"width_ratios": (1.4, 1)})
     grid = axes[0, 1].get_gridspec()
-    for ax in axes[:, 1]:
-        ax.remove()
+    for panel in axes[:, 1]:
+        panel.remove()
     _angles(axes[0, 0], trajectory, words)
     _energy(axes[1, 0], trajectory, words)
     axes[0, 0].sharex(axes[1, 0])
@@ -64,6 +85,30 @@ def trajectory(trajectory: Trajectory, *, language: str = "en") -> Figure:
     localise(plane, words)
     _plane(plane, trajectory, words)
     return figure
+
+
+def _axes(ax: Any) -> list[Axes]:
+    """The axes that were given, one or three."""
+    from matplotlib.axes import Axes
+
+    given = list(np.ravel(np.asarray(ax, dtype=object)))
+    if len(given) not in (1, 3) or not all(isinstance(each, Axes) for each in given):
+        raise ArgumentError(
+            "ax",
+            "must be axes of matplotlib, one for the angles or three for angles, energy error and "
+            "portrait or path, got {text}",
+            text=f"{len(given)} of {type(given[0]).__name__}" if given else "none",
+        )
+    return given
+
+
+def _into(axes: list[Axes], run: Trajectory, words: Labels) -> None:
+    """Draw the angles, and where there is room the energy error and the portrait or path."""
+    for ax, draw in zip(axes, (_angles, _energy, _plane), strict=False):
+        localise(ax, words)
+        draw(ax, run, words)
+    if len(axes) == 1:
+        axes[0].set_xlabel(words.axis["time"])
 
 
 def _angles(ax: Axes, run: Trajectory, words: Labels) -> None:

@@ -6,10 +6,10 @@ A run has the same colour and line everywhere, and numbers have the language's d
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, nullcontext
 from functools import wraps
 from io import BytesIO
-from typing import TYPE_CHECKING, Any, ParamSpec
+from typing import TYPE_CHECKING, Any, ParamSpec, TypeVar
 
 import numpy as np
 
@@ -23,12 +23,12 @@ if TYPE_CHECKING:
     from pendula._types import Array
 
 P = ParamSpec("P")
+Drawn = TypeVar("Drawn")
 
 INK = "#1b1f24"
 FAINT = "#b9bec5"
 _MOST = 1e9  # an error beyond this is no error any more, and would flatten all the others
 WIDTH = 6.4  # inches; the width of the report's column
-_DOTS = 200  # an inch, of a figure of pixels
 
 # Okabe & Ito's palette ("Color Universal Design", 2008); line styles distinguish runs, too.
 _LINES: dict[str, dict[str, Any]] = {
@@ -73,6 +73,8 @@ MARKERS = {
     **dict.fromkeys(("yoshida8", "gauss8", "dop853"), "p"),
     "taylor": "*",
 }
+_FONT = b"'DejaVu Sans'"
+_FONTS = _FONT + b", Verdana, sans-serif"  # Verdana's letters are as wide
 BACKED = {"facecolor": "white", "edgecolor": "none", "alpha": 0.8, "pad": 0.6}
 _SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
@@ -99,18 +101,23 @@ _RC: dict[str, Any] = {
     "ytick.color": "#4a525b",
     "xtick.labelsize": 8,
     "ytick.labelsize": 8,
-    # The same figure must give the same bytes: no random identifiers, letters drawn as shapes.
+    # The same figure must give the same bytes: no random identifiers.
     "svg.hashsalt": "pendula",
-    "svg.fonttype": "path",
+    # Letters stay text, which can be searched, read aloud and edited.
+    "svg.fonttype": "none",
+    "pdf.fonttype": 42,
 }
 
 
-def styled(draw: Callable[P, Figure]) -> Callable[P, Figure]:
-    """Let a function draw in this look; matplotlib is only imported when it is called."""
+def styled(draw: Callable[P, Drawn]) -> Callable[P, Drawn]:
+    """Let a function draw in this look; matplotlib is only imported when it is called.
+
+    What it draws into axes that it is given has the look of these.
+    """
 
     @wraps(draw)
-    def drawn(*args: P.args, **kwargs: P.kwargs) -> Figure:
-        with _look():
+    def drawn(*args: P.args, **kwargs: P.kwargs) -> Drawn:
+        with _look() if kwargs.get("ax") is None else nullcontext():
             return draw(*args, **kwargs)
 
     return drawn
@@ -130,13 +137,22 @@ def panels(
     rows: int, columns: int, height: float, words: Labels, **options: Any
 ) -> tuple[Figure, Any]:
     """A figure of rows × columns panels, `height` inches high, numbers in the language's way."""
-    from matplotlib.figure import Figure
+    from pendula.plot.shown import ShownFigure
 
-    figure = Figure(figsize=(WIDTH, height), layout="constrained")
+    figure = ShownFigure(figsize=(WIDTH, height), layout="constrained")
     axes = figure.subplots(rows, columns, squeeze=False, **options)
     for ax in axes.flat:
         localise(ax, words)
     return figure, axes
+
+
+def given_or_new(ax: Axes | None, height: float, words: Labels) -> tuple[Any, Axes]:
+    """Axes and the figure they are in: those given, or new ones alone, `height` inches high."""
+    if ax is None:
+        figure, axes = panels(1, 1, height, words)
+        return figure, axes[0, 0]
+    localise(ax, words)
+    return ax.get_figure(root=True), ax
 
 
 def localise(ax: Axes, words: Labels) -> None:
@@ -214,8 +230,17 @@ def svg(figure: Figure) -> bytes:
     return picture(figure, "svg")
 
 
-def picture(figure: Figure, kind: str) -> bytes:
-    """A figure as "svg", "pdf" or "png", the same bytes each time."""
+def picture(figure: Figure, kind: str, dots: float | None = None) -> bytes:
+    """A figure as "svg", "pdf" or "png", the same bytes each time.
+
+    Letters are text in SVG and PDF, in DejaVu Sans or, where a reader of SVG has it not, in the
+    like.
+
+    Args:
+        figure: what a function of `pendula.plot` returned.
+        kind: "svg", "pdf" or "png".
+        dots: an inch, of "png"; None: 200, or as many as give each cell of a map whole pixels.
+    """
     undated: dict[str, Any] = {
         "svg": {"Date": None, "Creator": None},
         "pdf": {"CreationDate": None, "Creator": None, "Producer": None},
@@ -223,5 +248,6 @@ def picture(figure: Figure, kind: str) -> bytes:
     }
     buffer = BytesIO()
     with _look():
-        figure.savefig(buffer, format=kind, metadata=undated[kind], dpi=_DOTS)
-    return buffer.getvalue()
+        figure.savefig(buffer, format=kind, metadata=undated[kind], dpi=dots)
+    drawn = buffer.getvalue()
+    return drawn.replace(_FONT, _FONTS) if kind == "svg" else drawn

@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING
 
 from pendula import _engine
 from pendula._angles import warn_of_degrees
-from pendula._checks import check_progress
+from pendula._checks import checked_progress
+from pendula._progress import with_bar
 from pendula.run.events import crossings_of
 from pendula.run.options import BEST_TOLERANCE, STANDARD_METHOD, takes_options
 from pendula.run.request import Request, request_of
@@ -19,7 +20,7 @@ if TYPE_CHECKING:
 
     from numpy.typing import ArrayLike
 
-    from pendula._progress import Progress
+    from pendula._progress import AskedProgress, Progress
     from pendula.run.options import RunOptions
 
 
@@ -28,6 +29,7 @@ def methods() -> tuple[_engine.Method, ...]:
     return _engine.methods()
 
 
+@with_bar("solve")
 @takes_options()
 def solve(
     system: System,
@@ -36,7 +38,7 @@ def solve(
     method: str = STANDARD_METHOD,
     *,
     t0: float = 0.0,
-    progress: Progress = None,
+    progress: AskedProgress = None,
     **options: Unpack[RunOptions],
 ) -> Trajectory:
     """The motion step by step.
@@ -50,7 +52,8 @@ def solve(
             shortened step from the grid.
         method: a name that `methods()` lists.
         t0: time of the state [s].
-        progress: called with the part of a long run that is done, 0 to 1, every few milliseconds.
+        progress: called with the part of a long run that is done, 0 to 1, every few milliseconds;
+            True: a bar, in a notebook or a terminal.
         **options: see `RunOptions`.
 
     Returns:
@@ -61,13 +64,13 @@ def solve(
         ValueError: for an unknown method, or an argument out of range.
     """
     check_system(system)
-    check_progress(progress)
+    report: Progress = checked_progress(progress)
     asked = request_of(system, state, t, method, t0, **options)
     warn_of_degrees("state", state, asked.state[: system.can.degrees_of_freedom])
     if asked.digits is not None:
-        return _solve_digits(system, asked, progress)
+        return _solve_digits(system, asked, report)
     return trajectory_of(
-        system, method, asked, _engine.solve(asked.for_core(system, method), progress)
+        system, method, asked, _engine.solve(asked.for_core(system, method), report)
     )
 
 

@@ -5,19 +5,22 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, field, fields
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, overload
 
 from pendula import _engine
 from pendula._checks import finite_array
 from pendula._late_methods import with_promised
 from pendula._messages import ArgumentError
+from pendula._tables import html_table
 from pendula.run.closed_form import exact_states
 
 if TYPE_CHECKING:
+    from collections.abc import Iterator, Sequence
     from os import PathLike
 
     import pandas as pd
     import xarray as xr
+    from matplotlib.axes import Axes
     from matplotlib.figure import Figure
     from numpy.typing import ArrayLike
 
@@ -189,7 +192,13 @@ class Trajectory:
         def save(self, path: str | PathLike[str], *, overwrite: bool = False) -> None:
             """See `pendula.io.save`."""
 
-        def plot(self) -> Figure:
+        @overload
+        def plot(self, *, ax: None = None, language: str = "en") -> Figure: ...
+
+        @overload
+        def plot(self, *, ax: Axes | Sequence[Axes], language: str = "en") -> Any: ...
+
+        def plot(self, *, ax: Any = None, language: str = "en") -> Any:
             """See `pendula.plot.trajectory`."""
 
     def __repr__(self) -> str:
@@ -198,6 +207,39 @@ class Trajectory:
             f"<Trajectory of {self.system!r} by {self.method!r}: {self.t.size} times, {span}, "
             f"{self.outcome}>"
         )
+
+    def _repr_html_(self) -> str:
+        """What a notebook shows: what was run, from where to where, and how well."""
+        return html_table(f"Trajectory by {self.method}", self._told())
+
+    def _told(self) -> Iterator[tuple[str, str]]:
+        """Names and values of what the run was and gave."""
+        import numpy as np
+
+        yield "system", repr(self.system)
+        span = f", t = {self.t[0]:g} … {self.t[-1]:g} s" if self.t.size else ""
+        yield "times", f"{self.t.size}{span}"
+        if self.states.ndim == 2:
+            for name, state in zip(
+                ("start", "end"), (self.request.state, *self.states[-1:]), strict=False
+            ):
+                pairs = zip(self.system.component_units.items(), state.tolist(), strict=True)
+                yield name, ", ".join(f"{each} = {x:.6g} {unit}" for (each, unit), x in pairs)
+        else:
+            yield "states", f"of shape {self.states.shape}"
+        yield "outcome", self.outcome
+        if self.n_steps:
+            yield "steps", f"{self.n_steps}, {self.n_evaluations} evaluations"
+        if self.t.size:
+            name = "energy error" if self.system.can.conservative else "energy change"
+            with np.errstate(over="ignore", invalid="ignore"):  # of a run that blew up
+                yield f"largest {name}", f"{abs(self.energy_error).max():.2g}"
+        for event, crossings in zip(self.request.events, self.events, strict=False):
+            yield repr(event), f"{len(crossings.times)} times"
+        if self.trust_horizon is not None:
+            passed = math.isfinite(self.trust_horizon)
+            until = f"{self.trust_horizon:g} s" if passed else "the end"
+            yield "trusted until", until
 
     def _half(self, which: int) -> Array:
         count = self.system.can.degrees_of_freedom

@@ -18,7 +18,7 @@ from pendula.analysis import (
 from pendula.study.runs import METHODS, periods
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterator
+    from collections.abc import Callable, Iterator, Sequence
     from pathlib import Path
 
     from matplotlib.figure import Figure
@@ -27,6 +27,9 @@ if TYPE_CHECKING:
     from pendula.run.trajectory import Trajectory
     from pendula.study.notation import Numbers
     from pendula.study.runs import Comparison, Results
+
+
+_DOTS = 300  # an inch, of figures of pixels: for print
 
 
 class Figures:
@@ -40,11 +43,19 @@ class Figures:
         self._titles = titles
         self._numbers = numbers
 
-    def write(self, folder: Path) -> Iterator[float]:
-        """Write each figure as NAME.svg into a folder that exists; yield the part done."""
+    def write(self, folder: Path, also: Sequence[str] = ()) -> Iterator[float]:
+        """Write each figure as NAME.svg into a folder that exists; yield the part done.
+
+        Args:
+            folder: where.
+            also: other kinds to write each as, "pdf" or "png".
+        """
         drawers = self._drawers()
         for done, (name, draw) in enumerate(drawers.items(), start=1):
-            (folder / f"{name}.svg").write_bytes(plot.svg(draw()))
+            figure = draw()
+            (folder / f"{name}.svg").write_bytes(plot.svg(figure))
+            for kind in also:
+                (folder / f"{name}.{kind}").write_bytes(plot.picture(figure, kind, _DOTS))
             yield done / len(drawers)
 
     def _drawers(self) -> dict[str, Callable[[], Figure]]:

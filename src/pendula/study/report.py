@@ -6,12 +6,10 @@ import json
 import shutil
 import tomllib
 from importlib import resources
-from typing import TYPE_CHECKING, Any
+from pathlib import Path
+from typing import Any
 
 from pendula._checks import extra
-
-if TYPE_CHECKING:
-    from pathlib import Path
 
 # The typesetter reads only below its root: the study's folder, where this one stands for a while.
 _BUILD = "build"
@@ -35,6 +33,7 @@ def write_report(folder: Path, facts: dict[str, Any], motions: dict[str, Any]) -
         MissingExtraError: without the package typst.
     """
     typst = extra("typst", "report")
+    letters = Path(extra("matplotlib", "report").get_data_path(), "fonts", "ttf")  # of the figures
     build = folder / _BUILD
     with resources.as_file(resources.files("pendula.study").joinpath("templates")) as templates:
         shutil.copytree(templates, build)
@@ -50,6 +49,7 @@ def write_report(folder: Path, facts: dict[str, Any], motions: dict[str, Any]) -
             root=str(folder),
             format=format_,
             ignore_system_fonts=True,
+            font_paths=[str(letters)],
             sys_inputs={"format": format_},
             timestamp=0,
         )

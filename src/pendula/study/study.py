@@ -7,16 +7,21 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from pendula._checks import extra
+from pendula._checks import checked_progress, installed, one_of
 from pendula._messages import Message
+from pendula._progress import with_bar
 from pendula._version import __version__
 from pendula._writing import replacing
 from pendula.plot.labels import labels
 from pendula.study.recipe import read_recipe
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from pendula._progress import StepProgress
     from pendula.study.schema import Recipe
+
+KINDS = ("pdf", "png")  # of figures, besides SVG
 
 # What every finished study holds.
 _MARKS = {"recipe.toml", "report.html", "report.pdf"}
@@ -25,13 +30,15 @@ _MARKS = {"recipe.toml", "report.html", "report.pdf"}
 _RUNS, _DATA, _FIGURES, _REPORT = 0.0, 0.25, 0.28, 0.9
 
 
+@with_bar("study")
 def run_study(
     recipe_path: Path | None,
     out: Path,
     language: str = "en",
     *,
+    figures: str | Sequence[str] = (),
     overwrite: bool = False,
-    progress: StepProgress | None = None,
+    progress: StepProgress | bool | None = None,
 ) -> Path:
     """Run the study and write its report.
 
@@ -42,34 +49,43 @@ def run_study(
         recipe_path: a TOML file naming what differs from the study's own recipe; None: nothing.
         out: the folder to make.
         language: of the report, "en" or "es".
+        figures: kinds to write each figure as besides SVG: "pdf", "png" or both.
         overwrite: replace what stands at `out`, once the new study is complete.
-        progress: called with what is being done and the share that is done, from 0 to 1.
+        progress: called with what is being done and the share that is done, from 0 to 1; True: a
+            bar, in a notebook or a terminal.
 
     Returns:
         The folder.
 
     Raises:
-        ValueError: for a broken recipe (its file and line are named) or an unknown language.
+        ValueError: for a broken recipe (its file and line are named), an unknown language or kind
+            of figures.
         FileExistsError: where `out` exists and `overwrite` is not set.
         RuntimeError: if the reference run of the recipe breaks down.
         MissingExtraError: without the packages of the extra "report".
     """
+    report: StepProgress = checked_progress(progress) or (lambda label, share: None)
     recipe = read_recipe(recipe_path)
     labels(language)
+    kinds = (figures,) if isinstance(figures, str) else tuple(figures)
+    for kind in kinds:
+        one_of("figures", kind, KINDS)
     for package in ("matplotlib", "typst"):
-        extra(package, "report")
+        installed(package, "report")
     target = Path(out)
     _check_free(target, overwrite=overwrite)
     _make_parents(target)
     with replacing(target, overwrite=overwrite) as unfinished:
-        _write(recipe, unfinished, language, progress or (lambda label, share: None))
+        _write(recipe, unfinished, language, kinds, report)
         _check_free(target, overwrite=overwrite)
     return target
 
 
 # A method that blows up overflows, which the report says better than a warning.
 @np.errstate(over="ignore", invalid="ignore")
-def _write(recipe: Recipe, folder: Path, language: str, progress: StepProgress) -> None:
+def _write(
+    recipe: Recipe, folder: Path, language: str, kinds: Sequence[str], progress: StepProgress
+) -> None:
     from pendula.study.data import write_data
     from pendula.study.facts import facts
     from pendula.study.figures import Figures
@@ -90,7 +106,7 @@ def _write(recipe: Recipe, folder: Path, language: str, progress: StepProgress) 
     progress(doing["figures"], _FIGURES)
     (folder / "figures").mkdir()
     figures = Figures(results, language, catalog["systems"], numbers)
-    for share in figures.write(folder / "figures"):
+    for share in figures.write(folder / "figures", kinds):
         progress(doing["figures"], _FIGURES + share * (_REPORT - _FIGURES))
     data = facts(results, words, numbers, __version__) | {"words": catalog}
     progress(doing["report"], _REPORT)

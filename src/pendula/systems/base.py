@@ -10,6 +10,7 @@ from pendula import _engine
 from pendula._checks import finite_number, number, states_array
 from pendula._messages import ArgumentError
 from pendula._rules import broken, refuse
+from pendula._tables import html_table
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -111,6 +112,14 @@ class System:
         """Total energy (...) of states (..., d), zero at rest at the lowest point [J]."""
         kinetic, potential = self._energies(states)
         return kinetic + potential
+
+    def _repr_html_(self) -> str:
+        """What a notebook shows: the parameters, each with its unit and meaning."""
+        title, values = repr(self).partition("(")[0], self.parameters
+        return html_table(
+            title,
+            ((row.name, f"{values[row.name]:g} {row.unit}", row.meaning) for row in self._rows()),
+        )
 
     def description(self) -> dict[str, Any]:
         """The system as data that JSON can hold; `system_from` takes it back."""

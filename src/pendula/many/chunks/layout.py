@@ -6,13 +6,13 @@ import math
 import warnings
 from typing import TYPE_CHECKING, Any
 
+from pendula._attributes import UNFINISHED
 from pendula._checks import extra
 
 if TYPE_CHECKING:
     from pendula.many.chunks.work import Arrays, Chunk, Index, Variable, Work
 
 ROOT = "zarr.json"  # of the whole, and in each array's folder
-UNFINISHED = "unfinished"
 NOTE = "chunks are missing; the same call again computes them"
 CHECKSUM = 4  # bytes of crc32c at the end of each chunk
 

@@ -9,9 +9,9 @@ from typing import TYPE_CHECKING, Any
 
 from zarr.storage import FsspecStore, LocalStore, WrapperStore
 
-from pendula._attributes import KEY
+from pendula._attributes import KEY, UNFINISHED
 from pendula._messages import Message
-from pendula.many.chunks.layout import ROOT, UNFINISHED, whole
+from pendula.many.chunks.layout import ROOT, whole
 
 if TYPE_CHECKING:
     from zarr.abc.store import ByteRequest

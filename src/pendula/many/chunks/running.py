@@ -7,8 +7,9 @@ import os
 from contextlib import closing
 from typing import TYPE_CHECKING, Any
 
-from pendula._checks import check_progress, check_threads, extra
+from pendula._checks import check_threads, checked_progress, extra
 from pendula._messages import one_line
+from pendula._progress import with_bar
 from pendula.many.chunks.cluster import check_client, spread
 from pendula.many.chunks.places import place_at
 from pendula.many.chunks.store import Store
@@ -18,16 +19,17 @@ if TYPE_CHECKING:
 
     import xarray as xr
 
-    from pendula._progress import Progress
+    from pendula._progress import AskedProgress, Progress
     from pendula.many.chunks.work import Arrays, Chunk, Index, Work
 
 
+@with_bar("work")
 def run(
     work: Work,
     store: str | os.PathLike[str] | None = None,
     *,
     client: Any = None,
-    progress: Progress = None,
+    progress: AskedProgress = None,
     threads: int | None = None,
     resume: bool = True,
     overwrite: bool = False,
@@ -40,7 +42,8 @@ def run(
             chunk. The same call resumes a run that was stopped or killed. None: the
             result is made in memory.
         client: a Client of dask.distributed, whose workers compute (extra: cluster).
-        progress: called with the part of the work that is done, 0 to 1.
+        progress: called with the part of the work that is done, 0 to 1; True: a bar, in a
+            notebook or a terminal.
         threads: for each chunk. None: all cores here, one on a worker.
         resume: go on with an existing store; else it is refused.
         overwrite: empty an existing store, whatever it holds, and start again.
@@ -55,13 +58,13 @@ def run(
         KeyboardInterrupt: at Ctrl-C; it says how many chunks are in the store.
     """
     threads = check_threads(threads)
-    check_progress(progress)
+    report: Progress = checked_progress(progress)
     if client is not None:
         check_client(client)
     extra("xarray", "io")
     if store is None:
-        return _in_memory(work, client, progress, threads)
-    _into_store(store, work, client, progress, threads, resume=resume, overwrite=overwrite)
+        return _in_memory(work, client, report, threads)
+    _into_store(store, work, client, report, threads, resume=resume, overwrite=overwrite)
     return opened(store)
 
 

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 from pendula._angles import warn_of_degrees
 from pendula._checks import positive_number
 from pendula._messages import ArgumentError
+from pendula._progress import with_bar
 from pendula.many.chunks import Variable
 from pendula.many.maps.base import Map, checked_map, checked_tolerance
 from pendula.many.maps.cells import NAMES
@@ -20,13 +21,14 @@ if TYPE_CHECKING:
     import xarray as xr
     from numpy.typing import NDArray
 
-    from pendula._progress import Progress
+    from pendula._progress import AskedProgress, Progress
     from pendula.many.chunks import Chunk
     from pendula.systems import DoublePendulum
 
 SMALLEST_SEPARATION, LARGEST_SEPARATION = 1e-13, 1e-2  # rad
 
 
+@with_bar("divergence map")
 def divergence_map(
     system: DoublePendulum,
     theta1: tuple[float, float],
@@ -39,7 +41,7 @@ def divergence_map(
     store: str | Path | None = None,
     client: Any = None,
     threads: int | None = None,
-    progress: Progress = None,
+    progress: AskedProgress = None,
     resume: bool = True,
     overwrite: bool = False,
 ) -> xr.Dataset:
@@ -73,18 +75,11 @@ def divergence_map(
     Raises:
         ValueError: for an argument out of range, or a store of another map.
     """
-    where = checked_map(system, theta1, theta2, shape, t_max)
-    for name, given, ends in zip(NAMES, (theta1, theta2), where[1].ranges, strict=True):
+    asked = DivergenceMap.checked(
+        system, theta1, theta2, shape, t_max, separation=separation, tolerance=tolerance
+    )
+    for name, given, ends in zip(NAMES, (theta1, theta2), asked.cells.ranges, strict=True):
         warn_of_degrees(name, given, ends)
-    apart = positive_number("separation", separation, "rad")
-    if not SMALLEST_SEPARATION <= apart <= LARGEST_SEPARATION:
-        rule = (
-            "must lie between {least} and {most} rad, got {value}: nearer they are one, farther "
-            "apart no neighbours"
-        )
-        least, most = SMALLEST_SEPARATION, LARGEST_SEPARATION
-        raise ArgumentError("separation", rule, value=apart, least=least, most=most)
-    asked = DivergenceMap(*where, apart, checked_tolerance(system, where[-1], tolerance))
     how: dict[str, Any] = {"client": client, "progress": progress, "threads": threads}
     return asked.dataset(store, **how, resume=resume, overwrite=overwrite)
 
@@ -98,6 +93,34 @@ class DivergenceMap(Map):
 
     separation: float
     tolerance: float
+
+    @classmethod
+    def checked(
+        cls,
+        system: object,
+        theta1: object,
+        theta2: object,
+        shape: object,
+        t_max: object,
+        *,
+        separation: object = 1e-8,
+        tolerance: object = None,
+    ) -> DivergenceMap:
+        """The map that the arguments of `divergence_map` ask for.
+
+        Raises:
+            ValueError: naming the argument.
+        """
+        where = checked_map(system, theta1, theta2, shape, t_max)
+        apart = positive_number("separation", separation, "rad")
+        if not SMALLEST_SEPARATION <= apart <= LARGEST_SEPARATION:
+            rule = (
+                "must lie between {least} and {most} rad, got {value}: nearer they are one, "
+                "farther apart no neighbours"
+            )
+            least, most = SMALLEST_SEPARATION, LARGEST_SEPARATION
+            raise ArgumentError("separation", rule, value=apart, least=least, most=most)
+        return cls(*where, apart, checked_tolerance(where[0], where[-1], tolerance))
 
     @property
     def variables(self) -> tuple[Variable, ...]:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 from pendula._angles import warn_of_degrees
 from pendula._checks import flag, whole_number
 from pendula._messages import ArgumentError
-from pendula._progress import part
+from pendula._progress import part, with_bar
 from pendula.many.chunks import Variable
 from pendula.many.maps.base import Map, checked_map, checked_tolerance
 from pendula.many.maps.cells import NAMES
@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     import xarray as xr
     from numpy.typing import NDArray
 
-    from pendula._progress import Progress
+    from pendula._progress import AskedProgress, Progress
     from pendula._types import Array
     from pendula.many.chunks import Chunk
     from pendula.systems import DoublePendulum
@@ -34,6 +34,7 @@ AGREEMENT = 1e-4  # of two flip times, in parts of them; of two angles at the en
 _UNDECIDED = 1e-12  # of the energy: nearer to the least that a flip needs, the run decides
 
 
+@with_bar("flip map")
 def flip_map(
     system: DoublePendulum,
     theta1: tuple[float, float],
@@ -47,7 +48,7 @@ def flip_map(
     store: str | Path | None = None,
     client: Any = None,
     threads: int | None = None,
-    progress: Progress = None,
+    progress: AskedProgress = None,
     resume: bool = True,
     overwrite: bool = False,
 ) -> xr.Dataset:
@@ -72,7 +73,8 @@ def flip_map(
             resumes it, and the map may be larger than memory. None: in memory.
         client: of a Dask cluster that computes the chunks.
         threads: None: one for each processor.
-        progress: called with the part that is done, 0 to 1.
+        progress: called with the part that is done, 0 to 1; True: a bar, in a notebook or a
+            terminal.
         resume: go on with a store that is there; else it is refused.
         overwrite: replace it.
 
@@ -85,20 +87,11 @@ def flip_map(
     Raises:
         ValueError: for an argument out of range, or a store of another map.
     """
-    where = checked_map(system, theta1, theta2, shape, t_max)
-    for name, given, ends in zip(NAMES, (theta1, theta2), where[1].ranges, strict=True):
+    asked = FlipMap.checked(
+        system, theta1, theta2, shape, t_max, which, tolerance=tolerance, resolve=resolve
+    )
+    for name, given, ends in zip(NAMES, (theta1, theta2), asked.cells.ranges, strict=True):
         warn_of_degrees(name, given, ends)
-    again = flag("resolve", resolve)
-    within = checked_tolerance(system, where[-1], tolerance)
-    asked = FlipMap(*where, _checked_rod(which), within, again)
-    if again and asked.tolerance * TIGHTER < BEST_TOLERANCE:
-        raise ArgumentError(
-            "tolerance",
-            f"must be at least {BEST_TOLERANCE / TIGHTER:.3g} for another run with a thousandth "
-            "of it, got {value}",
-            "take a larger one, or <resolve=False>",
-            value=asked.tolerance,
-        )
     how: dict[str, Any] = {"client": client, "progress": progress, "threads": threads}
     return asked.dataset(store, **how, resume=resume, overwrite=overwrite)
 
@@ -113,6 +106,38 @@ class FlipMap(Map):
     which: int | None
     tolerance: float
     resolve: bool
+
+    @classmethod
+    def checked(
+        cls,
+        system: object,
+        theta1: object,
+        theta2: object,
+        shape: object,
+        t_max: object,
+        which: object = None,
+        *,
+        tolerance: object = 1e-8,
+        resolve: object = True,
+    ) -> FlipMap:
+        """The map that the arguments of `flip_map` ask for.
+
+        Raises:
+            ValueError: naming the argument.
+        """
+        where = checked_map(system, theta1, theta2, shape, t_max)
+        again = flag("resolve", resolve)
+        within = checked_tolerance(where[0], where[-1], tolerance)
+        asked = cls(*where, _checked_rod(which), within, again)
+        if again and within * TIGHTER < BEST_TOLERANCE:
+            raise ArgumentError(
+                "tolerance",
+                f"must be at least {BEST_TOLERANCE / TIGHTER:.3g} for another run with a "
+                "thousandth of it, got {value}",
+                "take a larger one, or <resolve=False>",
+                value=within,
+            )
+        return asked
 
     @property
     def variables(self) -> tuple[Variable, ...]:

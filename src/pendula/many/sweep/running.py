@@ -6,8 +6,9 @@ import os
 from pathlib import PurePath
 from typing import TYPE_CHECKING, Any
 
-from pendula._checks import check_progress, check_threads
+from pendula._checks import check_threads, checked_progress
 from pendula._messages import ArgumentError
+from pendula._progress import with_bar
 from pendula.many.chunks import run
 from pendula.many.chunks.cluster import check_client
 from pendula.many.chunks.places import checked_name
@@ -18,18 +19,19 @@ from pendula.many.sweep.rows import work_of
 if TYPE_CHECKING:
     import xarray as xr
 
-    from pendula._progress import Progress
+    from pendula._progress import AskedProgress, Progress
 
 ENDINGS = (".zarr", ".parquet")
 
 
+@with_bar("sweep")
 def sweep(
     recipe: str | os.PathLike[str] | SweepRecipe,
     store: str | os.PathLike[str] | None = None,
     *,
     client: Any = None,
     threads: int | None = None,
-    progress: Progress = None,
+    progress: AskedProgress = None,
     resume: bool = True,
     overwrite: bool = False,
 ) -> xr.Dataset:
@@ -46,7 +48,8 @@ def sweep(
             cannot be gone on with. None: in memory.
         client: of a Dask cluster that computes the chunks.
         threads: None: one for each processor; on a cluster one for each task.
-        progress: called with the part that is done, 0 to 1.
+        progress: called with the part that is done, 0 to 1; True: a bar, in a notebook or a
+            terminal.
         resume: go on with an existing store; else it is refused.
         overwrite: replace an existing one.
 
@@ -62,10 +65,10 @@ def sweep(
         FileExistsError: where a file is there, or what is no store.
         OSError: where the recipe cannot be read, or the store not be written.
     """
-    check_progress(progress)
+    report: Progress = checked_progress(progress)
     chosen = recipe if isinstance(recipe, SweepRecipe) else read_sweep(recipe)
     work = work_of(chosen)
-    place: dict[str, Any] = {"client": client, "threads": threads, "progress": progress}
+    place: dict[str, Any] = {"client": client, "threads": threads, "progress": report}
     if store is None or ending_of(store) == ".zarr":
         return run(work, store, **place, resume=resume, overwrite=overwrite)
     from pendula.many.sweep.parquet import write_parquet

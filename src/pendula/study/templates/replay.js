@@ -1,124 +1,7 @@
-// Replays the motions in true time. Each player draws several pendulums over one another.
+// Replays the motions in true time, and sets them by hand and by keys.
 "use strict";
 
-const data = JSON.parse(document.getElementById("motions").textContent);
-const STEPS = 1e4; // angles come in these parts of a radian
-const TRAIL = 0.8; // s of the path behind each bob
-const INK = "#4a525b";
-
-const local = (x, decimals) => x.toFixed(decimals).replace("-", "−").replace(".", data.decimal);
-
-// Each angle is stored as the difference from the one before.
-function unpack(motion) {
-  for (const run of motion.runs) {
-    run.angles = run.angles.map((steps) => {
-      let sum = 0;
-      return Float64Array.from(steps, (step) => (sum += step) / STEPS);
-    });
-    run.shown = true;
-  }
-  motion.points = Math.max(...motion.runs.map((run) => run.angles[0].length));
-  motion.end = (motion.points - 1) * motion.interval;
-  motion.box = frame(motion);
-  return motion;
-}
-
-// What the picture has to hold: the pivot and all that is ever reached, [left, top, right, bottom].
-function frame(motion) {
-  const box = [0, 0, 0, 0];
-  for (const run of motion.runs) {
-    for (let n = 0; n < run.angles[0].length; n++) {
-      for (const [x, y] of joints(motion, run, n * motion.interval)) {
-        box[0] = Math.min(box[0], x);
-        box[1] = Math.min(box[1], y);
-        box[2] = Math.max(box[2], x);
-        box[3] = Math.max(box[3], y);
-      }
-    }
-  }
-  return box;
-}
-
-// The pivot and the ends of the rods at a time, or null once a run has ended.
-function joints(motion, run, time) {
-  const place = time / motion.interval;
-  const last = run.angles[0].length - 1;
-  if (place > last + 1e-9) return null;
-  const i = Math.min(Math.floor(place), last);
-  const j = Math.min(i + 1, last);
-  const points = [[0, 0]];
-  motion.lengths.forEach((length, rod) => {
-    const angle = run.angles[rod][i] + (run.angles[rod][j] - run.angles[rod][i]) * (place - i);
-    const [x, y] = points[rod];
-    points.push([x + length * Math.sin(angle), y + length * Math.cos(angle)]);
-  });
-  return points;
-}
-
-function draw(canvas, motion, time) {
-  const ratio = window.devicePixelRatio || 1;
-  const width = canvas.clientWidth;
-  const height = canvas.clientHeight;
-  if (canvas.width !== Math.round(width * ratio) || canvas.height !== Math.round(height * ratio)) {
-    canvas.width = Math.round(width * ratio);
-    canvas.height = Math.round(height * ratio);
-  }
-  const pen = canvas.getContext("2d");
-  const [left, top, right, bottom] = motion.box;
-  const scale = Math.min((width - 28) / (right - left), (height - 28) / (bottom - top));
-  pen.setTransform(ratio, 0, 0, ratio, 0, 0);
-  pen.clearRect(0, 0, width, height);
-  pen.translate(
-    width / 2 - ((left + right) / 2) * scale,
-    height / 2 - ((top + bottom) / 2) * scale,
-  );
-  pen.lineJoin = pen.lineCap = "round";
-  motion.runs.forEach((run, place) => {
-    const points = run.shown && joints(motion, run, time);
-    if (!points) return;
-    drawTrail(pen, motion, run, time, scale);
-    drawRods(pen, points, scale, run.colour, place === 0);
-  });
-  pen.fillStyle = INK;
-  pen.beginPath();
-  pen.arc(0, 0, 3, 0, 2 * Math.PI);
-  pen.fill();
-}
-
-function drawTrail(pen, motion, run, time, scale) {
-  const start = Math.max(0, time - TRAIL);
-  const parts = Math.ceil((time - start) / motion.interval);
-  pen.strokeStyle = run.colour;
-  pen.lineWidth = 1.5;
-  let before = null;
-  for (let n = 0; n <= parts; n++) {
-    const points = joints(motion, run, Math.min(start + n * motion.interval, time));
-    const end = points[points.length - 1];
-    if (before) {
-      pen.globalAlpha = (0.5 * n) / parts;
-      pen.beginPath();
-      pen.moveTo(before[0] * scale, before[1] * scale);
-      pen.lineTo(end[0] * scale, end[1] * scale);
-      pen.stroke();
-    }
-    before = end;
-  }
-  pen.globalAlpha = 1;
-}
-
-// The first run, which the others are compared with, is drawn broader, beneath them.
-function drawRods(pen, points, scale, colour, first) {
-  pen.strokeStyle = pen.fillStyle = colour;
-  pen.lineWidth = first ? 4 : 1.8;
-  pen.beginPath();
-  points.forEach(([x, y]) => pen.lineTo(x * scale, y * scale));
-  pen.stroke();
-  for (const [x, y] of points.slice(1)) {
-    pen.beginPath();
-    pen.arc(x * scale, y * scale, first ? 9 : 5.5, 0, 2 * Math.PI);
-    pen.fill();
-  }
-}
+const WIDEST = 1.5; // first energies that the bar of a run is wide
 
 function element(name, parent, properties = {}) {
   return parent.appendChild(Object.assign(document.createElement(name), properties));
@@ -129,10 +12,11 @@ function labelled(parent, text, name, properties) {
   return element(name, label, properties);
 }
 
+// Which runs are shown, each with a bar of its energy. Returns what shows these at a time.
 function chooser(parent, motion, redraw) {
   const group = element("fieldset", parent);
   element("legend", group, { textContent: data.words.show });
-  for (const run of motion.runs) {
+  const bars = motion.runs.map((run) => {
     const label = element("label", group);
     const box = element("input", label, { type: "checkbox", checked: true });
     const swatch = element("span", label, { className: "swatch" });
@@ -142,13 +26,41 @@ function chooser(parent, motion, redraw) {
       run.shown = box.checked;
       redraw();
     });
-  }
+    return energyBar(label, motion, run);
+  });
+  element("p", group, { className: "hint", textContent: data.words.energy });
+  return (time) => bars.forEach((show) => show(time));
 }
 
-// Button, time, clock and speed of a player.
+// Kinetic and potential energy in parts of the run's first energy, with a mark at that.
+function energyBar(parent, motion, run) {
+  const bar = element("span", parent, { className: "energy", ariaHidden: true });
+  bar.style.setProperty("--colour", run.colour);
+  bar.style.setProperty("--mark", `${100 / WIDEST}%`);
+  const parts = ["kinetic", "potential"].map((name) => element("span", bar, { className: name }));
+  const number = element("output", parent, { className: "share", title: "E/E₀" });
+  return (time) => {
+    const place = between(motion, run, time);
+    const energies = place && energiesAt(run, place);
+    parts.forEach((part, n) => {
+      part.style.width = `${(100 * Math.max(0, energies?.[n] ?? 0)) / WIDEST}%`;
+    });
+    number.value = energies ? local(energies[0] + energies[1], 2) : "–";
+  };
+}
+
+function energiesAt(run, [i, j, s]) {
+  return run.energies.map((energy) => energy[i] + s * (energy[j] - energy[i]));
+}
+
+// Buttons, time, clock and speed of a player.
 function controls(box, end) {
   const bar = element("div", box, { className: "bar" });
-  const button = element("button", bar, { type: "button", textContent: data.words.play });
+  const button = (textContent, ariaLabel) =>
+    element("button", bar, { type: "button", textContent, ariaLabel });
+  const play = button(data.words.play, null);
+  const back = button("‹", data.words.back);
+  const forward = button("›", data.words.forward);
   const slider = labelled(bar, data.words.time, "input", { type: "range", min: 0, step: "any" });
   slider.max = end;
   slider.value = 0;
@@ -158,11 +70,14 @@ function controls(box, end) {
     const text = String(factor).replace(".", data.decimal) + "×";
     element("option", speed, { value: factor, textContent: text, selected: factor === 1 });
   }
-  return { button, slider, clock, speed };
+  const full = button(data.words.full, null);
+  full.hidden = !document.fullscreenEnabled;
+  return { play, back, forward, slider, clock, speed, full };
 }
 
-// Lets the time run or be set; `redraw` draws the pendulums at a time. Returns what shows it all.
-function animate({ button, slider, clock, speed }, end, redraw) {
+// Lets the time run or be set; `redraw` draws the pendulums at a time. Returns what shows it all,
+// and what plays, pauses and sets the time.
+function animate({ play, slider, clock, speed }, end, redraw) {
   let time = 0;
   let before = null; // the page's clock at the last picture [ms]; null: not playing
   const show = () => {
@@ -171,10 +86,10 @@ function animate({ button, slider, clock, speed }, end, redraw) {
     slider.setAttribute("aria-valuetext", clock.value);
     redraw(time);
   };
-  const play = (on) => {
+  const run = (on) => {
     if (on && time >= end) time = 0;
     before = on ? performance.now() : null;
-    button.textContent = on ? data.words.pause : data.words.play;
+    play.textContent = on ? data.words.pause : data.words.play;
     if (on) requestAnimationFrame(tick);
     show();
   };
@@ -182,27 +97,70 @@ function animate({ button, slider, clock, speed }, end, redraw) {
     if (before === null) return;
     time = Math.min(time + (Math.max(0, now - before) / 1000) * Number(speed.value), end);
     before = now;
-    if (time >= end) play(false);
+    if (time >= end) run(false);
     else requestAnimationFrame(tick);
     show();
   };
-  button.addEventListener("click", () => play(before === null));
-  slider.addEventListener("input", () => {
-    time = Number(slider.value);
+  const set = (moment) => {
+    time = Math.min(Math.max(moment, 0), end);
     show();
+  };
+  slider.addEventListener("input", () => set(Number(slider.value)));
+  const toggle = () => run(before === null);
+  return { show, toggle, pause: () => run(false), set, now: () => time };
+}
+
+// One step: to the stored point before or after, or so many of them.
+function step(film, interval, count) {
+  film.pause();
+  film.set(interval * (Math.round(film.now() / interval) + count));
+}
+
+function fullScreen(box) {
+  if (document.fullscreenElement) document.exitFullscreen();
+  else if (document.fullscreenEnabled) box.requestFullscreen();
+}
+
+// What the keys do in a player; a list keeps its own, a button and a box the space bar.
+function keys(box, film, motion) {
+  const actions = {
+    " ": () => film.toggle(),
+    ArrowLeft: (event) => step(film, motion.interval, event.shiftKey ? -10 : -1),
+    ArrowRight: (event) => step(film, motion.interval, event.shiftKey ? 10 : 1),
+    Home: () => film.set(0),
+    End: () => film.set(motion.end),
+    f: () => fullScreen(box),
+  };
+  box.addEventListener("keydown", (event) => {
+    const action = actions[event.key.length > 1 ? event.key : event.key.toLowerCase()];
+    const own = event.key === " " ? "select, button, [type=checkbox]" : "select";
+    if (!action || event.target.matches(own)) return;
+    if (event.ctrlKey || event.metaKey || event.altKey) return;
+    event.preventDefault();
+    action(event);
   });
-  return show;
 }
 
 function player(box) {
   const motion = unpack(data.motions[box.dataset.motion]);
   box.textContent = "";
-  const canvas = element("canvas", box, { role: "img", ariaLabel: data.words.picture });
+  const shown = { role: "img", ariaLabel: data.words.picture, tabIndex: 0 };
+  const canvas = element("canvas", box, shown);
   const bar = controls(box, motion.end);
-  const show = animate(bar, motion.end, (time) => draw(canvas, motion, time));
-  chooser(box, motion, show);
-  new ResizeObserver(show).observe(canvas);
-  show();
+  let energies = () => {};
+  const film = animate(bar, motion.end, (time) => {
+    draw(canvas, motion, time);
+    energies(time);
+  });
+  energies = chooser(box, motion, film.show);
+  element("p", box, { className: "hint", textContent: data.words.keys });
+  bar.play.addEventListener("click", film.toggle);
+  bar.back.addEventListener("click", () => step(film, motion.interval, -1));
+  bar.forward.addEventListener("click", () => step(film, motion.interval, 1));
+  bar.full.addEventListener("click", () => fullScreen(box));
+  keys(box, film, motion);
+  new ResizeObserver(film.show).observe(canvas);
+  film.show();
 }
 
 document.querySelectorAll(".player").forEach(player);

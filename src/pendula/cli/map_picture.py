@@ -1,0 +1,60 @@
+"""The picture of a map: its options, and the map that a store or file holds."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from pendula.cli.pictures import checked_picture, write_picture
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+_LOOK = ("colormap", "title", "ticks")  # as the functions of `pendula.plot` call them
+
+
+def look_options() -> list[click.Parameter]:
+    """The options --colormap, --title and --ticks."""
+    return [
+        click.Option(
+            ["--colormap"],
+            metavar="NAME",
+            help="colors of the picture, as matplotlib names them [default: inferno]",
+        ),
+        click.Option(["--title"], metavar="TEXT", help="title of the picture [default: none]"),
+        click.Option(
+            ["--ticks"],
+            type=click.Choice(["degrees", "pi"]),
+            help="angles of the picture in degrees or parts of pi [default: degrees]",
+        ),
+    ]
+
+
+def checked_map_picture(given: dict[str, Any]) -> Path | None:
+    """The picture to draw; refuses before long work what cannot be drawn or written.
+
+    Raises:
+        ValueError: for an unknown ending or colormap, or a look without a picture.
+        OSError: where it cannot be written, or exists without --force.
+    """
+    picture, look = checked_picture(given), _look(given)
+    if picture is None and look:
+        raise ValueError(f"--{next(iter(look))} goes with --picture; name the picture")
+    if "colormap" in look:
+        from pendula.plot.map_drawing import palette
+
+        palette(look["colormap"])
+    return picture
+
+
+def draw_map(found: xr.Dataset, picture: Path, given: dict[str, Any]) -> None:
+    """Draw a map of either kind and write its picture."""
+    from pendula import plot
+
+    write_picture(plot.stored_map(found, language=given["lang"], **_look(given)), picture, given)
+
+
+def _look(given: dict[str, Any]) -> dict[str, Any]:
+    return {name: given[name] for name in _LOOK if given[name] is not None}
