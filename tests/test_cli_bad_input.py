@@ -109,7 +109,11 @@ def kept() -> dict[Path, str]:
         ("solve", "name a system: linear, simple, double"),
         ("solve triple", "no system 'triple'; take one of linear, simple, double"),
         ("slove", "no command 'slove'; take one of solve, exact, period, methods, "),
-        ("exact double --at 1s", "no system 'double'; take one of linear, simple"),
+        ("exact triple --at 1s", "no system 'triple'; take one of linear, simple"),
+        ("exact double --at 1s", "no closed form; use pendula solve double, with --digits 12"),
+        ("EXACT Double --at 1s", "no closed form; use pendula solve double, with --digits 12"),
+        ("period double", "no period as a function of amplitude; pendula solve double gives"),
+        ("map flip linear --t-max 1s", "which the linear pendulum does not have; use pendula map"),
         ("exact simple", "name the times with --at 1s,2s or with --t-max"),
         ("exact simple --at 1s --t-max 2s", "name the times with --at 1s,2s or with --t-max"),
         ("exact simple --at 1s --every 1s", "name the times with --at 1s,2s or with --t-max"),
@@ -228,7 +232,7 @@ def test_a_failure_while_writing_leaves_no_file(
     capsys: pytest.CaptureFixture[str],
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    def half(run: Trajectory, attributes: str, path: Path) -> None:
+    def half(run: Trajectory, path: Path) -> None:
         path.write_text("half")
         raise failure
 
@@ -239,7 +243,7 @@ def test_a_failure_while_writing_leaves_no_file(
 def test_ctrl_c_while_writing_leaves_no_file(
     capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    def half(run: Trajectory, attributes: str, path: Path) -> None:
+    def half(run: Trajectory, path: Path) -> None:
         path.write_text("half")
         os.kill(os.getpid(), signal.SIGINT)
 

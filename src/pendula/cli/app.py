@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
 FAILED, WRONG_USE = 1, 2
+_COMPLETE = "_PENDULA_COMPLETE"  # a shell sets it, to be given its script or words
 _OLD_OPTIONS = {"until": "t-max"}  # what options were called before is still read
 BAD_PATH = (
     FileExistsError,
@@ -35,7 +36,10 @@ BAD_PATH = (
     cls=ChoiceGroup,
     kind="command",
     epilog="Quantities take units: 50cm, 30deg, 9.81m/s^2; angles need one, others are SI.",
-    context_settings={"token_normalize_func": lambda name: _OLD_OPTIONS.get(name, name)},
+    context_settings={
+        "help_option_names": ["-h", "--help"],
+        "token_normalize_func": lambda name: _OLD_OPTIONS.get(name, name),
+    },
 )
 @click.version_option(__version__, message="pendula %(version)s")
 def _pendula() -> None:
@@ -54,7 +58,14 @@ def run(arguments: Sequence[str] | None) -> int:
         redirect_stdout(sys.stdout or nowhere),
         redirect_stderr(sys.stderr or nowhere),
     ):
-        return _run(given)
+        return _complete() if _COMPLETE in os.environ else _run(given)
+
+
+def _complete() -> int:
+    """Give a shell its script, or the words that can follow."""
+    from click.shell_completion import shell_complete
+
+    return shell_complete(_pendula, {}, "pendula", _COMPLETE, os.environ[_COMPLETE])
 
 
 def _run(given: list[str]) -> int:

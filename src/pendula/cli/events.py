@@ -10,7 +10,7 @@ from pendula._checks import LARGEST_COUNT, whole_number
 from pendula.cli.tables import chosen_rows, digits_of, table
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Sequence
+    from collections.abc import Callable
 
     from pendula.run.events import Event
     from pendula.run.trajectory import Trajectory
@@ -68,19 +68,20 @@ def words_of(event: Event) -> str:
 
 
 def found(run: Trajectory, *, every_row: bool = False) -> str:
-    """A table of the crossings of each event, shortened as that of a run is."""
+    """Each event with a table of its crossings, shortened as that of a run is."""
     components = _engine.system_entries()[run.system.name].components
-    header = ["event", "n", "t [s]", *(f"{row.name} [{row.unit}]" for row in components)]
+    header = ["n", "t [s]", *(f"{row.name}\n[{row.unit}]" for row in components)]
     digits = digits_of(len(components))
-    rows: list[Sequence[str]] = []
+    parts: list[str] = []
     for event, (times, states) in zip(run.request.events, run.events, strict=True):
-        name = words_of(event)
-        for i in chosen_rows(len(times), every_row=every_row):
-            numbers = (f"{component:.{digits}g}" for component in states[i])
-            rows.append((name, str(i + 1), f"{times[i]:.10g}", *numbers))
-        if not len(times):
-            rows.append((name, "none", *[""] * (len(header) - 2)))
-    return table(header, rows)
+        rows = [
+            [str(i + 1), f"{times[i]:.10g}", *(f"{each:.{digits}g}" for each in states[i])]
+            for i in chosen_rows(len(times), every_row=every_row)
+        ]
+        found = f"{len(times)} time{'' if len(times) == 1 else 's'}" if rows else "none"
+        parts.append(f"{words_of(event)}: {found}")
+        parts += [table(header, rows)] if rows else []
+    return "\n".join(parts)
 
 
 def _rod(words: list[str], text: str) -> int:
