@@ -7,8 +7,8 @@ import math
 import operator
 from typing import TYPE_CHECKING, Any
 
-from pendula._given import plain
-from pendula._messages import ArgumentError
+from pendula._given import doubles, plain
+from pendula._messages import ArgumentError, meant
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Mapping
@@ -42,6 +42,8 @@ def number(name: str, value: object, unit: str = "") -> float:
     try:
         given = plain(name, value, unit)
         kind = getattr(getattr(given, "dtype", None), "kind", "f")
+        if kind == "O" and getattr(given, "ndim", 1) == 0:
+            return number(name, given.item(), unit)
         if isinstance(given, str | bytes) or kind not in "iuf" or getattr(given, "ndim", 0) != 0:
             raise TypeError
         return float(given)
@@ -93,9 +95,9 @@ def numbers_array(name: str, value: ArrayLike, unit: Units = "") -> Array:
 
     try:
         array = np.array(plain(name, value, unit), order="C")
-        if array.dtype.kind not in "iuf" and array.size:
-            raise TypeError
-        return array.astype(np.float64, copy=False)
+        if array.dtype.kind == "O" and array.ndim:  # its entries may carry units
+            array = np.array(plain(name, array.tolist(), unit), order="C")
+        return doubles(array)
     except ArgumentError:
         raise
     except (OverflowError, TypeError, ValueError):
@@ -197,8 +199,9 @@ def check_progress(progress: object) -> None:
 def one_of(name: str, value: object, choices: Iterable[str]) -> str:
     """`value`, which has to be one of the names."""
     known = tuple(choices)
-    if value not in known:
-        raise ArgumentError(
-            name, "must be one of {choices}; got {value}", choices=known, value=value
-        )
+    if not isinstance(value, str) or value not in known:
+        rule, way_out = "must be one of {choices}; got {value}", ""
+        if isinstance(value, str):
+            way_out = meant(value, known)
+        raise ArgumentError(name, rule, way_out, choices=known, value=value)
     return str(value)

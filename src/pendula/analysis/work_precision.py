@@ -121,7 +121,12 @@ def _chosen(system: System, names: Iterable[str] | None) -> list[_engine.Method]
     """The methods of these names, each once."""
     if names is None:
         return [each for each in _engine.methods() if system.name in each.systems]
-    chosen = [_taken(checked_name(name, "methods"), system) for name in dict.fromkeys(names)]
+    try:
+        given = [names] if isinstance(names, str) else list(names)
+    except TypeError:
+        given = [names]
+    known = dict.fromkeys(checked_name(name, "methods") for name in given)
+    chosen = [_taken(name, system) for name in known]
     if not chosen:
         raise ArgumentError("methods", "must name at least one method, got none")
     return chosen

@@ -5,6 +5,7 @@ from __future__ import annotations
 import io
 import os
 import sys
+import warnings
 from contextlib import redirect_stderr, redirect_stdout
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -57,8 +58,15 @@ def run(arguments: Sequence[str] | None) -> int:
         Path(os.devnull).open("w", encoding="utf-8") as nowhere,  # a closed stream is None
         redirect_stdout(sys.stdout or nowhere),
         redirect_stderr(sys.stderr or nowhere),
+        warnings.catch_warnings(),
     ):
+        warnings.showwarning = _tell
         return _complete() if _COMPLETE in os.environ else _run(given)
+
+
+def _tell(message: Warning | str, *_: object) -> None:
+    """Show a warning in one line, without the code that it came from."""
+    print(f"pendula: warning: {message}", file=sys.stderr)
 
 
 def _complete() -> int:

@@ -61,7 +61,7 @@ def _compare(entry: SystemEntry, **given: Any) -> None:
     from pendula.analysis import work_precision
 
     names = given["methods"]
-    chosen = None if names is None else [each.strip().lower() for each in names.split(",")]
+    chosen = None if names is None else [each.strip() for each in names.split(",")]
     with progress_bar() as progress:
         found = work_precision(
             system, start, t_max, chosen, t0=t0, points=given["points"], progress=progress

@@ -14,6 +14,7 @@ from pendula._progress import part
 from pendula.many.tasks import Runs, Task, checked_threads, run_task
 from pendula.run.options import checked_types, takes_options
 from pendula.run.request import checked_name, refuse, times_array
+from pendula.run.stiffness import warn_of_stiffness
 from pendula.run.trust import DigitsError, digits_states
 from pendula.systems import System, check_system
 
@@ -26,6 +27,9 @@ if TYPE_CHECKING:
     from pendula._progress import Progress
     from pendula._types import Array
     from pendula.run.options import RunOptions
+
+
+_LOOKED_AT = 1000  # systems whose frequencies are compared, in some 20 ms
 
 
 @dataclass(frozen=True, eq=False, repr=False, kw_only=True)
@@ -109,6 +113,7 @@ def ensemble(
     angles = starts[:, : systems[0].can.degrees_of_freedom]
     warn_of_degrees("states", states, angles)
     task = _checked_task(systems, starts, t, method, t0, options)
+    warn_of_stiffness(systems[:_LOOKED_AT], abs(float(task.t[-1]) - task.t0))
     count = checked_threads(threads)
     if task.digits is None:
         found = run_task(task, parameters, starts, count, progress)

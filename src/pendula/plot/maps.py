@@ -8,7 +8,7 @@ import numpy as np
 
 from pendula._checks import number_pair, one_of
 from pendula._messages import ArgumentError
-from pendula.plot.grid import Grid, angle_axes, picked
+from pendula.plot.grid import Grid, angle_axes, check_dataset, picked
 from pendula.plot.labels import Labels, labels
 from pendula.plot.map_scale import growth_time, number_ticks, time_scale
 from pendula.plot.style import panels, styled
@@ -67,6 +67,7 @@ def flip_map(
     Raises:
         ValueError: for a dataset that is no flip map, or an unknown option.
     """
+    check_dataset(dataset, "flip_map")
     words = labels(language)
     one_of("ticks", ticks, ("degrees", "pi"))
     one_of("unresolved", unresolved, ("pale", "shown"))
@@ -118,6 +119,7 @@ def divergence_map(
     """
     from matplotlib.colors import Normalize
 
+    check_dataset(dataset, "divergence_map")
     words = labels(language)
     one_of("ticks", ticks, ("degrees", "pi"))
     grid, cells = picked(dataset, ("growth",), "divergence_map")

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from pendula._late_methods import method_of
+from pendula._messages import ArgumentError
 from pendula.plot.labels import Labels, labels
 from pendula.plot.style import (
     INK,
@@ -45,12 +46,10 @@ def trajectory(trajectory: Trajectory, *, language: str = "en") -> Figure:
         A figure for a notebook to show, or for `.savefig(path)`.
 
     Raises:
-        ValueError: for several trajectories at once, or an unknown language.
+        ValueError: for several trajectories at once, one without outputs, anything else, or an
+            unknown language.
     """
-    if trajectory.states.ndim != 2:
-        raise ValueError(
-            f"one trajectory at a time can be drawn, not states of shape {trajectory.states.shape}"
-        )
+    _check(trajectory)
     words = labels(language)
     figure, axes = panels(2, 2, 4.4, words, gridspec_kw={"width_ratios": (1.4, 1)})
     grid = axes[0, 1].get_gridspec()
@@ -64,6 +63,23 @@ def trajectory(trajectory: Trajectory, *, language: str = "en") -> Figure:
     localise(plane, words)
     _plane(plane, trajectory, words)
     return figure
+
+
+def _check(given: object) -> None:
+    """Refuse what cannot be drawn as one run."""
+    name = "trajectory"
+    if not isinstance(given, Trajectory):
+        rule, way_out = "must be what solve or exact returned, got {value}", ""
+        if hasattr(given, "data_vars"):
+            way_out = "draw maps with plot.flip_map or plot.divergence_map"
+        raise ArgumentError(name, rule, way_out, value=given)
+    if given.states.ndim != 2:
+        rule, way_out = "must be one motion, got states of shape {value}", "draw them one by one"
+        raise ArgumentError(name, rule, way_out, value=given.states.shape)
+    if not given.t.size:
+        rule = "has no outputs to draw: the run ended as {value} before the first of them"
+        way_out = "ask for earlier times, or more steps"
+        raise ArgumentError(name, rule, way_out, value=given.outcome)
 
 
 def _angles(ax: Axes, run: Trajectory, words: Labels) -> None:

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from pendula._messages import ArgumentError
 from pendula.plot.labels import Labels, labels
 from pendula.plot.style import MARKERS, line, logarithmic, panels, styled
 
@@ -47,7 +48,11 @@ def work_precision(
         against: "evaluations", "seconds" or both.
         language: "en" or "es".
     """
-    words = labels(language)
+    given = [cases] if hasattr(cases, "methods") else cases  # one alone
+    if not isinstance(given, Sequence) or not all(hasattr(each, "methods") for each in given):
+        rule = "must be a list of what pendula.analysis.work_precision returned, got {value}"
+        raise ArgumentError("cases", rule, value=cases)
+    cases, words = given, labels(language)
     side_by_side = len(against) == 1
     rows, columns = (1, len(cases)) if side_by_side else (len(cases), len(against))
     figure, axes = panels(rows, columns, 0.9 + 3.1 * rows, words, sharey="row")

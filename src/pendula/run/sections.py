@@ -8,11 +8,12 @@ from typing import TYPE_CHECKING
 
 from pendula import _engine
 from pendula._angles import warn_of_degrees
-from pendula._checks import finite_number, whole_number
+from pendula._checks import check_progress, finite_number, whole_number
 from pendula._messages import ArgumentError
 from pendula.run.events import Crossings, Event, checked_events, crossings_of
 from pendula.run.options import checked_types, takes_options
-from pendula.run.request import Request, checked_state, refuse
+from pendula.run.reach import check_reachable
+from pendula.run.request import Request, check_angles, checked_state, refuse
 from pendula.systems import System, check_system
 
 if TYPE_CHECKING:
@@ -20,6 +21,7 @@ if TYPE_CHECKING:
 
     from numpy.typing import ArrayLike
 
+    from pendula._progress import Progress
     from pendula.run.options import RunOptions
 
 _MOST_CROSSINGS = 10**8  # 4 GB
@@ -35,9 +37,12 @@ def poincare_section(
     n: int,
     *,
     t0: float = 0.0,
+    progress: Progress = None,
     **options: Unpack[RunOptions],
 ) -> Crossings:
     """The first n crossings of a surface by the motion from a state, with the Taylor method.
+
+    A surface that the motion cannot reach with its energy is refused before the run.
 
     Args:
         system: a pendulum.
@@ -45,6 +50,7 @@ def poincare_section(
         event: the surface, such as angle(1, 0.0, direction=1, every_turn=True).
         n: how many crossings.
         t0: time of the state [s].
+        progress: called with the part of the crossings that is found, 0 to 1.
         **options: see `RunOptions`.
 
     Returns:
@@ -59,7 +65,10 @@ def poincare_section(
     surfaces = checked_events(event, "event")
     if len(surfaces) != 1:
         raise ArgumentError("event", "must be one event, got {value} of them", value=len(surfaces))
-    count, start = whole_number("n", n, _MOST_CROSSINGS), checked_state(state, system)
+    check_progress(progress)
+    count = whole_number("n", n, _MOST_CROSSINGS)
+    start = checked_state(state, system, "call poincare_section for each")
+    check_angles(system, start)
     warn_of_degrees("state", state, start[: system.can.degrees_of_freedom])
     asked = Request(
         state=start,
@@ -71,8 +80,10 @@ def poincare_section(
             "events": (replace(surfaces[0], terminal=count),),
         },
     )
-    result = _engine.solve(asked.for_core(system, "taylor"), None)
-    refuse(result.refused, digits=False)
+    request = asked.for_core(system, "taylor")
+    refuse(_engine.check(request), digits=False)
+    check_reachable(system, start, surfaces[0])
+    result = _engine.solve(request, progress)
     (found,) = crossings_of(result.events, asked.state.size)
     if len(found.times) < count:
         raise ArgumentError(

@@ -10,7 +10,8 @@ from pendula._angles import warn_of_degrees
 from pendula._checks import check_progress
 from pendula.run.events import crossings_of
 from pendula.run.options import BEST_TOLERANCE, takes_options
-from pendula.run.request import Request, request_of
+from pendula.run.request import Request, checked_name, request_of
+from pendula.run.stiffness import warn_of_stiffness
 from pendula.run.trajectory import Trajectory
 from pendula.systems import System, check_system
 
@@ -62,13 +63,13 @@ def solve(
     """
     check_system(system)
     check_progress(progress)
-    asked = request_of(system, state, t, method, t0, **options)
+    name = checked_name(method)
+    asked = request_of(system, state, t, name, t0, **options)
     warn_of_degrees("state", state, asked.state[: system.can.degrees_of_freedom])
+    warn_of_stiffness([system], abs(asked.end - asked.t0))
     if asked.digits is not None:
         return _solve_digits(system, asked, progress)
-    return trajectory_of(
-        system, method, asked, _engine.solve(asked.for_core(system, method), progress)
-    )
+    return trajectory_of(system, name, asked, _engine.solve(asked.for_core(system, name), progress))
 
 
 def trajectory_of(

@@ -80,6 +80,11 @@ class System:
         """Of the fastest small oscillation [rad/s]."""
         return self.largest_frequency
 
+    @property
+    def slowest_frequency(self) -> float:
+        """Of the slowest small oscillation [rad/s]."""
+        return self.fastest_frequency
+
     def rhs(self, states: ArrayLike, t: float = 0.0) -> Array:
         """Time derivatives (..., d) of states (..., d) at time t [rad/s, rad/s²]."""
         at = finite_number("t", t, "s")
@@ -184,7 +189,7 @@ def with_closed_form(system: object) -> ClosedForm:
         raise ArgumentError(
             "system",
             "must be a {any_of}, got {value}: no closed form is known",
-            "use <call=solve>",
+            "use <call=solve>, with <digits=12> for guaranteed digits",
             any_of=names,
             value=system,
         )

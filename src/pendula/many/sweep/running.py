@@ -19,12 +19,13 @@ if TYPE_CHECKING:
     import xarray as xr
 
     from pendula._progress import Progress
+    from pendula._recipe_file import RecipeSource
 
 ENDINGS = (".zarr", ".parquet")
 
 
 def sweep(
-    recipe: str | os.PathLike[str] | SweepRecipe,
+    recipe: RecipeSource | SweepRecipe,
     store: str | os.PathLike[str] | None = None,
     *,
     client: Any = None,
@@ -39,7 +40,7 @@ def sweep(
     goes wrong with one is said by its outcome: its numbers are NaN from there on.
 
     Args:
-        recipe: a TOML file, or what `pendula.sweeping.read_sweep` made of it.
+        recipe: a TOML file, a dict of its tables, or what `pendula.sweeping.read_sweep` made of it.
         store: where to write, chunk by chunk, so that the sweep may be larger than memory: a path
             or URL ending in .zarr, a store with which the same call goes on after it was stopped;
             or a path ending in .parquet, a file that is there once all of it is written, and
