@@ -104,7 +104,7 @@ def _loaded(source: Path) -> tuple[Trajectory, dict[str, Any]]:
         raise FileNotFoundError(f"no such file: {source}")
     try:
         with read(source) as stored:
-            known = recipe_of(stored.recipe, source)
+            known = recipe_of(stored, source)
             table = Whole(known, stored, source).table()
         run = from_attributes(known, *table, source)
         if "checksum" not in known:
