@@ -7,10 +7,12 @@ import os
 import signal
 import sys
 from pathlib import Path
+from types import SimpleNamespace
 from typing import TYPE_CHECKING
 
 import pytest
 
+from pendula._checks import how_to_install
 from pendula._engine import methods
 from pendula.cli import main
 from pendula.io import files
@@ -191,18 +193,24 @@ def test_a_run_that_blows_up_says_when_and_leaves_no_file(
 @pytest.mark.parametrize(
     "line",
     [
-        f"{SOLVE} --theta 1e9rad",
-        f"{SOLVE} --theta 67108864rad",
         f"{SOLVE} --omega 1e9rad/s",
         f"{SOLVE} --omega 1e200rad/s",
         f"{SOLVE} --omega 1e9rad/s --every 100ms -o x.csv",
-        f"{DOUBLE} --theta2 -1e9rad",
         f"{TAYLOR} --omega 1e9rad/s",
     ],
 )
 def test_an_angle_beyond_the_sine_is_told(line: str, capsys: pytest.CaptureFixture[str]) -> None:
     printed = told(line.split(), 1, capsys)
     assert printed.endswith(": an angle left the range of the sine (2^26 rad)\n")
+
+
+@pytest.mark.parametrize(
+    "line",
+    [f"{SOLVE} --theta 1e9rad", f"{TAYLOR} --theta 67108864rad", f"{DOUBLE} --theta2 -1e9rad"],
+)
+def test_a_start_beyond_the_sine_is_refused(line: str, capsys: pytest.CaptureFixture[str]) -> None:
+    printed = told(line.split(), 2, capsys)
+    assert "the start must have angles below 2^26 rad = 67108864 rad, got " in printed
 
 
 def test_a_linear_run_that_blows_up_has_no_sine(capsys: pytest.CaptureFixture[str]) -> None:
@@ -215,7 +223,26 @@ def test_a_missing_extra_is_told_with_what_to_install(
 ) -> None:
     monkeypatch.setitem(sys.modules, "pyarrow", None)
     printed = told(f"{SOLVE} -o x.parquet".split(), 1, capsys)
-    assert 'pyarrow is not installed; run: pip install "pendula[io]"' in printed
+    assert f"pyarrow is not installed; {how_to_install('io')}" in printed
+
+
+@pytest.mark.parametrize(
+    ("noted", "way_out"),
+    [
+        (
+            '{"url": "file:///home/ana/pendula%20lab"}',
+            'run: pip install "/home/ana/pendula lab[io]"',
+        ),
+        ('{"url": "https://x.org/p.git"}', 'in a clone of pendula run: pip install ".[io]"'),
+        (None, 'in a clone of pendula run: pip install ".[io]"'),
+    ],
+)
+def test_what_to_install_is_true_of_a_clone(
+    noted: str | None, way_out: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    installed = SimpleNamespace(read_text=lambda _: noted)
+    monkeypatch.setattr("importlib.metadata.distribution", lambda _: installed)
+    assert how_to_install("io") == way_out
 
 
 @pytest.mark.parametrize(

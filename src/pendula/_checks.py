@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import importlib
+import json
 import math
 import operator
 from typing import TYPE_CHECKING, Any
@@ -32,9 +33,23 @@ def extra(module: str, name: str) -> Any:
         return importlib.import_module(module)
     except ImportError as error:
         package = module.partition(".")[0]
-        raise MissingExtraError(
-            f'{package} is not installed; run: pip install "pendula[{name}]"'
-        ) from error
+        raise MissingExtraError(f"{package} is not installed; {how_to_install(name)}") from error
+
+
+def how_to_install(name: str) -> str:
+    """What brings an extra: pendula is in no registry, pip notes the clone that it came from."""
+    from importlib.metadata import PackageNotFoundError, distribution
+    from urllib.parse import urlsplit
+    from urllib.request import url2pathname
+
+    try:
+        noted = json.loads(distribution("pendula").read_text("direct_url.json") or "{}")
+    except PackageNotFoundError:
+        noted = {}
+    url = urlsplit(noted.get("url", ""))
+    if url.scheme == "file":
+        return f'run: pip install "{url2pathname(url.path)}[{name}]"'
+    return f'in a clone of pendula run: pip install ".[{name}]"'
 
 
 def number(name: str, value: object, unit: str = "") -> float:
