@@ -10,7 +10,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable
 
 
-def told(call: Callable[[], object], kind: type[Exception] = ValueError) -> str:
+def told(call: Callable[..., object], kind: type[Exception] = ValueError) -> str:
     """What the error of a wrong call says, in one line."""
     with pytest.raises(kind) as error:
         call()

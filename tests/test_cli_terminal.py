@@ -131,7 +131,7 @@ def completed(words: str, **environment: str) -> list[str]:
 @pytest.mark.parametrize(
     ("words", "offered"),
     [
-        ("pendula ", list(app._pendula.commands)),  # type: ignore[attr-defined]
+        ("pendula ", list(app._pendula.commands)),
         ("pendula so", ["solve"]),
         ("pendula solve ", ["linear", "simple", "double"]),
         ("pendula exact d", []),

@@ -72,7 +72,7 @@ def test_object_columns_are_numbers() -> None:
 def test_object_columns_keep_their_units() -> None:
     import pint
 
-    unit = pint.UnitRegistry()
+    unit: Any = pint.UnitRegistry()
     given = np.array([unit.Quantity(30.0, "deg"), unit.Quantity(0.0, "deg/s")], dtype=object)
     assert solve(SIMPLE, given, 1.0).request.state[0] == degrees(30)
     column = xr.DataArray(np.array([Fraction(1, 2)], dtype=object), attrs={"units": "ms"})

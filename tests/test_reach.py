@@ -42,7 +42,7 @@ RECIPE: dict[str, Any] = {"system": {"kind": "simple"}, "run": {"t_max": "1 s"}}
         lambda system: solve(system, START, -1.0, max_steps=10),
         lambda system: solve(system, START, [0.5, 1.0], "rk4", step=0.1),
         lambda system: ensemble(system, [START, START], 1.0, max_steps=10),
-        lambda system: ensemble([RODS_LIKE, system], START, 1.0, max_steps=10),
+        lambda system: ensemble([DoublePendulum.bobs(), system], START, 1.0, max_steps=10),
     ],
 )
 def test_a_stiff_system_is_said_to_be(call: Callable[[Any], object]) -> None:
@@ -51,9 +51,6 @@ def test_a_stiff_system_is_said_to_be(call: Callable[[Any], object]) -> None:
     ) as told:
         call(DoublePendulum.bobs(m1=1e-12))
     assert [each.filename for each in told] == [__file__]
-
-
-RODS_LIKE = DoublePendulum.bobs()
 
 
 def test_a_sweep_looks_at_the_ends_of_its_ranges() -> None:

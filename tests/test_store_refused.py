@@ -170,7 +170,7 @@ def test_a_lock_ends_though_a_process_just_forked_holds_it(
 
     def shared(handle: int, how: int) -> None:
         copies.append(os.dup(handle))  # as a fork does
-        lock(handle, how)  # type: ignore[operator]
+        lock(handle, how)  # type: ignore[operator,call-arg]
 
     monkeypatch.setattr(portalocker.portalocker, "LOCKER", shared)
     for _ in range(2):

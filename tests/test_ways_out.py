@@ -4,15 +4,17 @@ from __future__ import annotations
 
 import copy
 import dataclasses
+import inspect
 import math
 import pickle
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, get_args
 
 import numpy as np
 import pytest
 import xarray as xr
 
+import pendula
 from pendula import (
     DoublePendulum,
     LinearPendulum,
@@ -24,6 +26,7 @@ from pendula import (
     poincare_section,
     solve,
 )
+from pendula._types import MethodName
 from pendula.analysis import work_precision
 from pendula.events import Event, angle, flip, velocity_zero
 from pendula.sweeping import read_sweep
@@ -48,7 +51,8 @@ def test_a_rod_that_there_is_none_of(made: Callable[..., Event], i: object) -> N
 
 
 def test_a_rod_may_be_any_whole_number_type() -> None:
-    assert flip(np.int64(2)) == flip(2)
+    whole: Any = np.int64(2)
+    assert flip(whole) == flip(2)
 
 
 # ---- systems ----
@@ -124,6 +128,13 @@ def test_a_linear_pendulum_has_no_sine_and_digits_have_a_range_of_their_own() ->
 # ---- names ----
 
 
+def test_the_type_of_a_method_is_the_catalogue() -> None:
+    names = [each.name for each in pendula.methods()]
+    assert list(get_args(MethodName)) == names
+    for function in (solve, ensemble):
+        assert inspect.signature(function).parameters["method"].annotation == "MethodName"
+
+
 @pytest.mark.parametrize("method", ["RK4", "rk4", "Rk4", np.str_("RK4")])
 def test_a_method_in_any_case_is_the_method(method: Any) -> None:
     run = solve(SIMPLE, (1, 0), 1.0, method, step=0.1)
@@ -191,14 +202,16 @@ def test_what_is_no_map(draw: Callable[[Any], object]) -> None:
     assert told(lambda: draw(run)).endswith("; draw a run with its own plot()")
     for path in ("flips.zarr", Path("flips.zarr")):
         assert "open the file first, with xarray" in told(lambda p=path: draw(p))
-    for other in (None, 3, {}, [run]):
+    others: tuple[Any, ...] = (None, 3, {}, [run])
+    for other in others:
         assert told(lambda o=other: draw(o)).endswith("_map returned")
     assert "must hold" in told(lambda: draw(xr.Dataset()))
 
 
 def test_what_is_no_run() -> None:
     many = ensemble(SIMPLE, [(1, 0)], 1.0)
-    for other in (None, {}, many, "run.csv"):
+    others: tuple[Any, ...] = (None, {}, many, "run.csv")
+    for other in others:
         assert "must be what solve or exact returned" in told(lambda o=other: plot.trajectory(o))
     assert "plot.flip_map" in told(lambda: plot.trajectory(xr.Dataset()))  # type: ignore[arg-type]
     assert told(lambda: exact(SIMPLE, [(1, 0)] * 3, 1.0).plot()).endswith("; draw them one by one")

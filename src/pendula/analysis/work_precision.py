@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Sequence
 
     from pendula._progress import StepProgress
-    from pendula._types import Array
+    from pendula._types import Array, MethodName
     from pendula.run.trajectory import Trajectory
 
 
@@ -51,7 +51,7 @@ def work_precision(
     system: System,
     state: ArrayLike,
     t_max: float,
-    methods: Iterable[str] | None = None,
+    methods: Iterable[MethodName] | MethodName | None = None,
     *,
     t0: float = 0.0,
     points: int = POINTS,
@@ -122,7 +122,7 @@ def _chosen(system: System, names: Iterable[str] | None) -> list[_engine.Method]
     if names is None:
         return [each for each in _engine.methods() if system.name in each.systems]
     try:
-        given = [names] if isinstance(names, str) else list(names)
+        given: list[object] = [names] if isinstance(names, str) else list(names)
     except TypeError:
         given = [names]
     known = dict.fromkeys(checked_name(name, "methods") for name in given)

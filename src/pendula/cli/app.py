@@ -64,7 +64,7 @@ def run(arguments: Sequence[str] | None) -> int:
         return _complete() if _COMPLETE in os.environ else _run(given)
 
 
-def _tell(message: Warning | str, *_: object) -> None:
+def _tell(message: Warning | str, *_: object, **__: object) -> None:
     """Show a warning in one line, without the code that it came from."""
     print(f"pendula: warning: {message}", file=sys.stderr)
 

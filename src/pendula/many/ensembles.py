@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
     from pendula._progress import Progress
-    from pendula._types import Array
+    from pendula._types import Array, MethodName
     from pendula.run.options import RunOptions
 
 
@@ -43,7 +43,7 @@ class Ensemble(Runs):
     """
 
     systems: System | tuple[System, ...]
-    method: str
+    method: MethodName
     t: Array
 
     def __len__(self) -> int:
@@ -75,7 +75,7 @@ def ensemble(
     system: System | Sequence[System],
     states: ArrayLike,
     t: ArrayLike,
-    method: str = "taylor",
+    method: MethodName = "taylor",
     *,
     t0: float = 0.0,
     threads: int | None = None,

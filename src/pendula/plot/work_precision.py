@@ -48,11 +48,10 @@ def work_precision(
         against: "evaluations", "seconds" or both.
         language: "en" or "es".
     """
-    given = [cases] if hasattr(cases, "methods") else cases  # one alone
-    if not isinstance(given, Sequence) or not all(hasattr(each, "methods") for each in given):
+    if not isinstance(cases, Sequence) or not all(hasattr(each, "methods") for each in cases):
         rule = "must be a list of what pendula.analysis.work_precision returned, got {value}"
         raise ArgumentError("cases", rule, value=cases)
-    cases, words = given, labels(language)
+    words = labels(language)
     side_by_side = len(against) == 1
     rows, columns = (1, len(cases)) if side_by_side else (len(cases), len(against))
     figure, axes = panels(rows, columns, 0.9 + 3.1 * rows, words, sharey="row")

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 from pendula import _engine
 from pendula._checks import finite_array, finite_number, states_array
@@ -13,7 +13,7 @@ from pendula.run.options import BEST_TOLERANCE, Options, checked_types
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
-    from pendula._types import Array
+    from pendula._types import Array, MethodName
     from pendula.systems import System
 
 
@@ -96,14 +96,14 @@ def request_of(
     return replace(asked, tolerance=asked.tolerance or BEST_TOLERANCE) if chooses else asked
 
 
-def checked_name(method: object, argument: str = "method") -> str:
+def checked_name(method: object, argument: str = "method") -> MethodName:
     """The name of a method as the catalogue writes it; upper and lower case are the same."""
     names = [each.name for each in _engine.methods()]
     name = method.lower() if isinstance(method, str) else ""
     if name not in names:
         rule, way_out = "must be one of {choices}; got {value}", meant(name, names)
         raise ArgumentError(argument, rule, way_out, choices=names, value=method)
-    return str(name)
+    return cast("MethodName", str(name))
 
 
 def check_angles(system: System, start: Array) -> None:

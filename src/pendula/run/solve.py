@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
     from pendula._progress import Progress
+    from pendula._types import MethodName
     from pendula.run.options import RunOptions
 
 
@@ -34,7 +35,7 @@ def solve(
     system: System,
     state: ArrayLike,
     t: ArrayLike,
-    method: str = "taylor",
+    method: MethodName = "taylor",
     *,
     t0: float = 0.0,
     progress: Progress = None,
