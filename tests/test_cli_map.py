@@ -109,7 +109,7 @@ def test_a_store_is_gone_on_with_or_begun_anew_only_when_told(call: Call) -> Non
     times.unlink()
     code, _, told = call(f"{FLIP} -o flips.zarr")
     assert code == 2
-    assert "flips.zarr exists; pass --resume to go on with it, --force to begin anew" in told
+    assert "flips.zarr exists; pass --resume to resume it, --force to overwrite it" in told
     assert not times.exists()
     assert call(f"{FLIP} -o flips.zarr --resume")[0] == 0
     assert times.read_bytes() == before

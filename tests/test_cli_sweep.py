@@ -79,7 +79,7 @@ def test_an_existing_store_is_gone_on_with_or_begun_anew_only_if_asked_to(call: 
     code, printed, told = call("sweep rods.toml -o rods.zarr")
     assert (code, printed) == (2, "")
     assert told == (
-        "pendula: rods.zarr exists; pass --resume to go on with it, --force to begin anew, "
+        "pendula: rods.zarr exists; pass --resume to resume it, --force to overwrite it, "
         "or choose another name\n"
     )
     Path("rods.zarr/energy/c.1.0").unlink()

@@ -99,6 +99,9 @@ FORBIDDEN = [
     (SIMPLE, (1.0, 0.0), angle(1, 100.123), "needs an energy of|does not get over the top"),
     (SIMPLE, (1.0, 0.0), tip_height(-0.5), "needs an energy of"),
     (SIMPLE, (0.0, 9.0), velocity_zero(1), "turns over the top and never stands still"),
+    (SIMPLE, (0.0, 9.0), angle(1, 0.5, -1, every_turn=True), "over the top, the other way"),
+    (SIMPLE, (0.0, 9.0), angle(1, 0.5), "so often: the pendulum turns over the top and does not"),
+    (SIMPLE, (0.0, -9.0), angle(1, 0.5), "does not come back; give every_turn=True"),
     (LinearPendulum(), (1.0, 0.0), angle(1, 1.1), "needs an energy of"),
     (LinearPendulum(), (1.0, 0.0), tip_height(1.5), "never is so far from the pivot"),
     (LinearPendulum(), (0.0, 0.0), velocity_zero(1), "state is an equilibrium"),
@@ -134,6 +137,17 @@ def test_what_a_motion_crosses_is_not_forbidden(seed: int) -> None:
     ]
     for each in events:
         assert len(poincare_section(system, state, each, 1, max_steps=100_000).times) == 1
+
+
+def test_a_rotation_passes_an_angle_ahead_once() -> None:
+    for omega, value in ((9.0, 7.123), (-9.0, -7.123)):
+        found = poincare_section(SIMPLE, (0.0, omega), angle(1, value), 1)
+        assert found.states[0, 0] == pytest.approx(value)
+        with pytest.raises(ValueError, match="does not come back"):
+            poincare_section(SIMPLE, (0.0, omega), angle(1, -value), 1)
+        every = angle(1, value, every_turn=True)
+        assert len(poincare_section(SIMPLE, (0.0, omega), every, 5).times) == 5
+    assert len(poincare_section(SIMPLE, (0.0, 9.0), tip_height(0.0), 4).times) == 4
 
 
 def test_a_section_shows_how_far_it_is() -> None:

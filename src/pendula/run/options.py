@@ -36,7 +36,7 @@ class Options:
 
     Attributes:
         step: of a fixed-step method [s].
-        tolerance: of an adaptive method; None: its best.
+        tolerance: of an adaptive method; None: machine precision.
         max_steps: most steps allowed; None: no limit.
         certify: angle by which the run may be off up to its trust horizon [rad].
         digits: that are right at every output time.

@@ -17,8 +17,8 @@ if TYPE_CHECKING:
 _ROUNDING = 1e-9  # of the energy: what is nearer to the limit is left to the run
 
 
-def check_reachable(system: System, start: Array, event: Event) -> None:
-    """Refuse a surface that the energy forbids, or a start that stays where it is.
+def check_reachable(system: System, start: Array, event: Event, count: int) -> None:
+    """Refuse a surface that the energy forbids so often, or a start that stays where it is.
 
     Raises:
         ValueError: naming both energies, or what the motion cannot do.
@@ -29,8 +29,10 @@ def check_reachable(system: System, start: Array, event: Event) -> None:
         rule, way_out = "is an equilibrium, {value}: nothing is ever crossed", "let it move"
         raise ArgumentError("state", rule, way_out, value=start.tolist())
     energy, scale = float(system.energy(start)), system.energy_scale
+    one = system.can.periodic and system.can.degrees_of_freedom == 1
+    if one and energy > _at_rest(system, 0, math.pi) + _ROUNDING * scale:
+        _check_rotation(start, event, count)
     if event.kind == "velocity_zero":
-        _check_swings(system, start, energy, scale)
         return
     needed = _angle_energy(system, event) if event.kind == "angle" else _tip_energy(system, event)
     if math.isinf(needed) or energy < needed - _ROUNDING * max(needed, scale):
@@ -45,14 +47,21 @@ def check_reachable(system: System, start: Array, event: Event) -> None:
         _check_own_turn(system, start, event, energy)
 
 
-def _check_swings(system: System, start: Array, energy: float, scale: float) -> None:
-    """Refuse that the velocity of a single pendulum passes zero while it turns over the top."""
-    if system.can.degrees_of_freedom > 1 or not system.can.periodic:
-        return
-    top = _at_rest(system, 0, math.pi)
-    if energy > top + _ROUNDING * scale:
+def _check_rotation(start: Array, event: Event, count: int) -> None:
+    """Refuse what a single pendulum does not do that turns over the top, always one way."""
+    way_out = "start with less energy, or take another event"
+    if event.kind == "velocity_zero":
         rule = "cannot be reached: the pendulum turns over the top and never stands still"
-        raise ArgumentError("event", rule, "start with less energy, or take another event")
+        raise ArgumentError("event", rule, way_out)
+    if event.kind != "angle":
+        return
+    theta, omega = start.tolist()
+    if event.direction * omega < 0.0:
+        rule = "cannot be reached: the pendulum turns over the top, the other way"
+        raise ArgumentError("event", rule, way_out)
+    if not event.every_turn and (count > 1 or (event.value - theta) * omega <= 0.0):
+        rule = "cannot be reached so often: the pendulum turns over the top and does not come back"
+        raise ArgumentError("event", rule, "give <every_turn=True>")
 
 
 def _check_own_turn(system: System, start: Array, event: Event, energy: float) -> None:

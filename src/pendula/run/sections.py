@@ -17,11 +17,13 @@ from pendula.run.request import Request, check_angles, checked_state, refuse
 from pendula.systems import System, check_system
 
 if TYPE_CHECKING:
-    from typing import Unpack
+    from collections.abc import Mapping
+    from typing import Any, Unpack
 
     from numpy.typing import ArrayLike
 
     from pendula._progress import Progress
+    from pendula._types import Array
     from pendula.run.options import RunOptions
 
 _MOST_CROSSINGS = 10**8  # 4 GB
@@ -59,32 +61,17 @@ def poincare_section(
     Raises:
         ValueError: for an argument out of range, or where the motion does not cross so often.
     """
-    import numpy as np
-
     check_system(system)
-    surfaces = checked_events(event, "event")
-    if len(surfaces) != 1:
-        raise ArgumentError("event", "must be one event, got {value} of them", value=len(surfaces))
     check_progress(progress)
-    count = whole_number("n", n, _MOST_CROSSINGS)
+    count, surface = whole_number("n", n, _MOST_CROSSINGS), _surface(event)
     start = checked_state(state, system, "call poincare_section for each")
     check_angles(system, start)
     warn_of_degrees("state", state, start[: system.can.degrees_of_freedom])
-    asked = Request(
-        state=start,
-        t=np.array([math.inf]),  # no outputs
-        t0=finite_number("t0", t0, "s"),
-        **{
-            "max_steps": _MOST_STEPS,
-            **checked_types(options, "poincare_section", _OPTIONS),
-            "events": (replace(surfaces[0], terminal=count),),
-        },
-    )
-    request = asked.for_core(system, "taylor")
-    refuse(_engine.check(request), digits=False)
-    check_reachable(system, start, surfaces[0])
-    result = _engine.solve(request, progress)
-    (found,) = crossings_of(result.events, asked.state.size)
+    asked = _asked(start, t0, replace(surface, terminal=count), options).for_core(system, "taylor")
+    refuse(_engine.check(asked), digits=False)
+    check_reachable(system, start, surface, count)
+    result = _engine.solve(asked, progress)
+    (found,) = crossings_of(result.events, start.size)
     if len(found.times) < count:
         raise ArgumentError(
             "n",
@@ -94,3 +81,27 @@ def poincare_section(
             text=f"{len(found.times)} of {count}",
         )
     return found
+
+
+def _surface(event: object) -> Event:
+    """The one event."""
+    surfaces = checked_events(event, "event")
+    if len(surfaces) != 1:
+        raise ArgumentError("event", "must be one event, got {value} of them", value=len(surfaces))
+    return surfaces[0]
+
+
+def _asked(start: Array, t0: float, surface: Event, options: Mapping[str, Any]) -> Request:
+    """A run without outputs or an end, but for the crossings."""
+    import numpy as np
+
+    return Request(
+        state=start,
+        t=np.array([math.inf]),
+        t0=finite_number("t0", t0, "s"),
+        **{
+            "max_steps": _MOST_STEPS,
+            **checked_types(options, "poincare_section", _OPTIONS),
+            "events": (surface,),
+        },
+    )

@@ -42,7 +42,7 @@ def run(
         client: a Client of dask.distributed, whose workers compute (extra: cluster).
         progress: called with the part of the work that is done, 0 to 1.
         threads: for each chunk. None: all cores here, one on a worker.
-        resume: go on with an existing store; else it is refused.
+        resume: resume an existing store; else it is refused.
         overwrite: empty an existing store, whatever it holds, and start again.
 
     Returns:

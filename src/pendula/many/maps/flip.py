@@ -73,7 +73,7 @@ def flip_map(
         client: of a Dask cluster that computes the chunks.
         threads: None: one for each processor.
         progress: called with the part that is done, 0 to 1.
-        resume: go on with a store that is there; else it is refused.
+        resume: resume an existing store; else it is refused.
         overwrite: begin it anew.
 
     Returns:

@@ -44,12 +44,12 @@ def sweep(
         store: where to write, chunk by chunk, so that the sweep may be larger than memory: a path
             or URL ending in .zarr, a store with which the same call goes on after it was stopped;
             or a path ending in .parquet, a file that is there once all of it is written, and
-            cannot be gone on with. None: in memory.
+            is not resumable. None: in memory.
         client: of a Dask cluster that computes the chunks.
         threads: None: one for each processor; on a cluster one for each task.
         progress: called with the part that is done, 0 to 1.
-        resume: go on with an existing store; else it is refused.
-        overwrite: begin an existing one anew.
+        resume: resume an existing store; else it is refused.
+        overwrite: overwrite an existing one.
 
     Returns:
         Dims (row, t). For each row the parameters of its system, by name, its start (`theta1_start`
