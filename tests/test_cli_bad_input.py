@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import errno
 import os
+import shlex
 import signal
 import sys
 from pathlib import Path
@@ -100,6 +101,8 @@ def kept() -> dict[Path, str]:
         (f"{TAYLOR} --digits 9 --tolerance 1e-9", "--digits is not taken together with --toler"),
         (f"{SOLVE} --digits 9", "--digits is not taken together with --method rk4: it"),
         (f"{SOLVE} --event velocity-zero", "--event must be such as 'flip 1', 'angle 1 0deg risi"),
+        (f"{TAYLOR} --event 'flip 3'", "the rod of an --event must be 1 or 2, counted from the pi"),
+        (f"{TAYLOR} --event 'flip 2'", "the rod of an --event must be 1 for the simple pendulum"),
         (f"{TAYLOR} --event flap", "or 'tip-height 50cm falling end', got 'flap'"),
         (f"{SOLVE} -o no/such/x.csv", "cannot write no/such/x.csv"),
         (f"{SOLVE} -o {EXISTING}/x.csv", f"cannot write {EXISTING}/x.csv"),
@@ -137,7 +140,7 @@ def kept() -> dict[Path, str]:
 def test_wrong_use_is_told_in_one_line(
     line: str, message: str, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    printed = told(line.split(), 2, capsys)
+    printed = told(shlex.split(line), 2, capsys)
     assert message in printed
     for python in ("numpy", "linspace", "state=", "t=", "use solve", "step=", "digits="):
         assert python not in printed

@@ -245,11 +245,11 @@ def test_a_section_of_a_motion_that_does_not_cross_ends() -> None:
 @pytest.mark.parametrize(
     ("make", "message"),
     [
-        (lambda: angle(0, 1.0), "^i must be 1 or 2: the rod, counted from .*; got 0$"),
-        (lambda: angle(3, 1.0), "^i must be 1 or 2: the rod, counted from .*; got 3$"),
+        (lambda: angle(0, 1.0), "^i must be 1 or 2, counted from the pivot .*; got 0$"),
+        (lambda: angle(3, 1.0), "^i must be 1 or 2, counted from the pivot .*; got 3$"),
         (
             lambda: angle(cast("Any", 1.0), 1.0),
-            "^i must be 1 or 2: the rod, .*; got 1.0$",
+            "^i must be 1 or 2, counted .*; got 1.0$",
         ),
         (lambda: angle(1, math.nan), r"^value must be a finite number \[rad\], got nan"),
         (lambda: angle(1, cast("Any", "up")), r"^value must be a number \[rad\], got 'up'"),

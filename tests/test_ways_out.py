@@ -47,7 +47,7 @@ RECIPE: dict[str, Any] = {"system": {"kind": "simple"}, "run": {"t_max": "1 s"}}
 @pytest.mark.parametrize("i", [3, 0, -1, "1", 2.0, True, None, np.array([1, 2])])
 @pytest.mark.parametrize("made", [flip, velocity_zero, lambda i: angle(i, 0.5)])
 def test_a_rod_that_there_is_none_of(made: Callable[..., Event], i: object) -> None:
-    assert told(lambda: made(i)).startswith("i must be 1 or 2: the rod, counted from the pivot")
+    assert told(lambda: made(i)).startswith("i must be 1 or 2, counted from the pivot")
 
 
 def test_a_rod_may_be_any_whole_number_type() -> None:
@@ -81,6 +81,12 @@ def test_a_double_pendulum_is_a_data_class_still(again: Callable[[Any], Any]) ->
     assert (made, hash(made), repr(made)) == (RODS, hash(RODS), repr(RODS))
     with pytest.raises(dataclasses.FrozenInstanceError):
         made.form = "bobs"
+
+
+@pytest.mark.parametrize("kind", [SimplePendulum, DoublePendulum])
+def test_a_class_is_no_system(kind: Any) -> None:
+    message = told(lambda: solve(kind, START, 1.0))
+    assert message.endswith("; make one of the class, with its parameters in brackets")
 
 
 def test_a_form_that_is_mistyped() -> None:

@@ -85,10 +85,8 @@ def found(run: Trajectory, *, every_row: bool = False) -> str:
 
 
 def _rod(words: list[str], text: str) -> int:
-    from pendula.run.events import MOST_RODS
-
     try:
-        return whole_number("the rod", int(words.pop(0)), MOST_RODS)
+        return int(words.pop(0))
     except (IndexError, ValueError):
         raise _misread(text) from None
 

@@ -178,8 +178,8 @@ def _rod(i: object) -> int:
     except TypeError:
         rod = 0
     if rod not in numbers:
-        rule = "must be {any_of}: the rod, counted from the pivot (a simple pendulum has rod 1)"
-        raise ArgumentError("i", f"{rule}; got {{value}}", any_of=list(numbers), value=i)
+        rule = "must be {any_of}, counted from the pivot (a simple pendulum has rod 1); got {value}"
+        raise ArgumentError("i", rule, any_of=list(numbers), value=i)
     return rod
 
 

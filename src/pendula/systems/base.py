@@ -204,5 +204,7 @@ def check_system(system: object) -> System:
     """
     if not isinstance(system, System):
         rule = "must be a pendulum such as SimplePendulum(length=1.0), got {value}"
-        raise ArgumentError("system", rule, value=system)
+        made = isinstance(system, type) and issubclass(system, System)
+        way_out = "make one of the class, with its parameters in brackets" if made else ""
+        raise ArgumentError("system", rule, way_out, value=system)
     return system
