@@ -70,7 +70,7 @@ def test_what_is_not_a_store_stays(overwrite: bool, tmp_path: Path) -> None:
 def test_a_store_is_begun_anew_when_asked(undisturbed: Path, tmp_path: Path) -> None:
     store = tmp_path / "w.zarr"
     run(waves((9, 9), scale=2.0), store)
-    with pytest.raises(FileExistsError, match="pass resume=True to go on"):
+    with pytest.raises(FileExistsError, match="pass resume=True to resume it"):
         run(waves((9, 9), scale=2.0), store, resume=False)
     run(waves(), store, overwrite=True)
     assert files(store) == files(undisturbed)

@@ -159,6 +159,7 @@ def test_a_reference_that_breaks_down_ends_the_study(quick: Path) -> None:
     assert _nothing_left(quick.parent)
 
 
+@pytest.mark.filterwarnings("ignore::pendula.StiffWarning")
 @pytest.mark.parametrize(
     ("text", "told"),
     [
