@@ -9,7 +9,8 @@
 .DELETE_ON_ERROR:
 SHELL := /bin/sh
 PYTHON ?= python3
-UV := UV_PYTHON_DOWNLOADS=never VIRTUAL_ENV=$(CURDIR)/.venv .tools/bin/uv
+FOR_UV := UV_PYTHON_DOWNLOADS=never VIRTUAL_ENV=$(CURDIR)/.venv
+UV := $(FOR_UV) .tools/bin/uv
 BIN := $(CURDIR)/.venv/bin
 CORES := $(shell getconf _NPROCESSORS_ONLN 2>/dev/null || echo 1)
 COMPILED := $(shell find core/include core/src bindings/python -type f) CMakeLists.txt
@@ -25,8 +26,9 @@ help:
 	.tools/bin/pip install -q --disable-pip-version-check uv==0.13.9
 
 .venv/packages: requirements.lock .tools/bin/uv
-	$(UV) venv -q --allow-existing --python "$$(command -v $(PYTHON))" .venv
-	$(UV) pip sync -q --require-hashes requirements.lock
+	@echo "installing what requirements.lock names into .venv"
+	@$(UV) venv -q --allow-existing --python "$$(command -v $(PYTHON))" .venv
+	@$(UV) pip sync -q --require-hashes requirements.lock
 	@touch $@
 
 # an editable install knows the modules it was made with
@@ -34,7 +36,8 @@ help:
 	@find src/pendula -name '*.py' | sort | cmp -s - $@ || find src/pendula -name '*.py' | sort >$@
 
 .venv/installed: .venv/packages .venv/modules pyproject.toml $(COMPILED)
-	PATH="$(BIN):$$PATH" CMAKE_BUILD_PARALLEL_LEVEL=$(CORES) SKBUILD_CMAKE_DEFINE=PENDULA_STRICT=ON $(UV) pip install -q --no-build-isolation --no-deps -e .
+	@PATH="$(BIN):$$PATH" CMAKE_BUILD_PARALLEL_LEVEL=$(CORES) SKBUILD_CMAKE_DEFINE=PENDULA_STRICT=ON $(FOR_UV) \
+	  scripts/with-progress "compiling the core" build/install.log .tools/bin/uv pip install -v --no-build-isolation --no-deps -e .
 	@touch $@
 
 .venv/bench: requirements-bench.lock .venv/installed
@@ -45,6 +48,7 @@ help:
 study: .venv/installed
 	@$(BIN)/pendula study --lang en --out study/en --force
 	@$(BIN)/pendula study --lang es --out study/es --force
+	@echo "python and pendula are in .venv: source .venv/bin/activate"
 
 # ---- tests: the core on each instruction set and under the sanitizers, then the package ----
 test: test-core test-python

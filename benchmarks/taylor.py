@@ -12,6 +12,7 @@ import pendula
 from benchmarks import taylor_peers
 from benchmarks.taylor_peers import RELEASED, Outcome, Run
 from pendula._engine import machines
+from pendula._types import MethodName
 
 SYSTEM = pendula.DoublePendulum.rods(gravity=9.81)
 FIRST_SOLVE = """
@@ -23,7 +24,7 @@ print((time.perf_counter() - begin) * 1e3)
 """
 
 
-def solved(method: str, **control: Any) -> Run:
+def solved(method: MethodName, **control: Any) -> Run:
     """One trajectory by `pendula.solve`."""
 
     def run(end: float) -> Outcome:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import signal
 import subprocess
 import sys
@@ -10,6 +11,12 @@ from collections.abc import Callable
 from pathlib import Path
 
 Call = Callable[..., tuple[int, str, str]]  # exit code, stdout, stderr of a line
+
+
+def unfolded(printed: str) -> str:
+    """What was printed, each paragraph in one line again."""
+    return re.sub(r"\n  (?=\S)", " ", printed)
+
 
 READY = (
     "import sys; from pendula.cli import main\n"

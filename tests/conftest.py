@@ -90,3 +90,9 @@ def in_memory(rods: SweepRecipe) -> xr.Dataset:
     from pendula import sweep
 
     return sweep(rods)
+
+
+@pytest.fixture
+def starts_beyond_the_sine(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Let `solve` run what it refuses, to be compared with one among others."""
+    monkeypatch.setattr("pendula.run.request.check_angles", lambda *_: None)

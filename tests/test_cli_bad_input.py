@@ -4,13 +4,16 @@ from __future__ import annotations
 
 import errno
 import os
+import shlex
 import signal
 import sys
 from pathlib import Path
+from types import SimpleNamespace
 from typing import TYPE_CHECKING
 
 import pytest
 
+from pendula._checks import how_to_install
 from pendula._engine import methods
 from pendula.cli import main
 from pendula.io import files
@@ -98,6 +101,8 @@ def kept() -> dict[Path, str]:
         (f"{TAYLOR} --digits 9 --tolerance 1e-9", "--digits is not taken together with --toler"),
         (f"{SOLVE} --digits 9", "--digits is not taken together with --method rk4: it"),
         (f"{SOLVE} --event velocity-zero", "--event must be such as 'flip 1', 'angle 1 0deg risi"),
+        (f"{TAYLOR} --event 'flip 3'", "the rod of an --event must be 1 or 2, counted from the pi"),
+        (f"{TAYLOR} --event 'flip 2'", "the rod of an --event must be 1 for the simple pendulum"),
         (f"{TAYLOR} --event flap", "or 'tip-height 50cm falling end', got 'flap'"),
         (f"{SOLVE} -o no/such/x.csv", "cannot write no/such/x.csv"),
         (f"{SOLVE} -o {EXISTING}/x.csv", f"cannot write {EXISTING}/x.csv"),
@@ -109,7 +114,11 @@ def kept() -> dict[Path, str]:
         ("solve", "name a system: linear, simple, double"),
         ("solve triple", "no system 'triple'; take one of linear, simple, double"),
         ("slove", "no command 'slove'; take one of solve, exact, period, methods, "),
-        ("exact double --at 1s", "no system 'double'; take one of linear, simple"),
+        ("exact triple --at 1s", "no system 'triple'; take one of linear, simple"),
+        ("exact double --at 1s", "no closed form; use pendula solve double, with --digits 12"),
+        ("EXACT Double --at 1s", "no closed form; use pendula solve double, with --digits 12"),
+        ("period double", "no period as a function of amplitude; pendula solve double gives"),
+        ("map flip linear --t-max 1s", "which the linear pendulum does not have; use pendula map"),
         ("exact simple", "name the times with --at 1s,2s or with --t-max"),
         ("exact simple --at 1s --t-max 2s", "name the times with --at 1s,2s or with --t-max"),
         ("exact simple --at 1s --every 1s", "name the times with --at 1s,2s or with --t-max"),
@@ -135,7 +144,7 @@ def kept() -> dict[Path, str]:
 def test_wrong_use_is_reported_in_one_line(
     line: str, message: str, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    printed = told(line.split(), 2, capsys)
+    printed = told(shlex.split(line), 2, capsys)
     assert message in printed
     for python in ("numpy", "linspace", "state=", "t=", "use solve", "step=", "digits="):
         assert python not in printed
@@ -191,18 +200,24 @@ def test_a_run_that_blows_up_says_when_and_leaves_no_file(
 @pytest.mark.parametrize(
     "line",
     [
-        f"{SOLVE} --theta 1e9rad",
-        f"{SOLVE} --theta 67108864rad",
         f"{SOLVE} --omega 1e9rad/s",
         f"{SOLVE} --omega 1e200rad/s",
         f"{SOLVE} --omega 1e9rad/s --every 100ms -o x.csv",
-        f"{DOUBLE} --theta2 -1e9rad",
         f"{TAYLOR} --omega 1e9rad/s",
     ],
 )
 def test_an_angle_beyond_the_sine_is_told(line: str, capsys: pytest.CaptureFixture[str]) -> None:
     printed = told(line.split(), 1, capsys)
     assert printed.endswith(": an angle left the range of the sine (2^26 rad)\n")
+
+
+@pytest.mark.parametrize(
+    "line",
+    [f"{SOLVE} --theta 1e9rad", f"{TAYLOR} --theta 67108864rad", f"{DOUBLE} --theta2 -1e9rad"],
+)
+def test_a_start_beyond_the_sine_is_refused(line: str, capsys: pytest.CaptureFixture[str]) -> None:
+    printed = told(line.split(), 2, capsys)
+    assert "the start must have angles below 2^26 rad = 67108864 rad, got " in printed
 
 
 def test_a_linear_run_that_blows_up_has_no_sine(capsys: pytest.CaptureFixture[str]) -> None:
@@ -215,7 +230,26 @@ def test_a_missing_extra_is_told_with_what_to_install(
 ) -> None:
     monkeypatch.setitem(sys.modules, "pyarrow", None)
     printed = told(f"{SOLVE} -o x.parquet".split(), 1, capsys)
-    assert 'pyarrow is not installed; run: pip install "pendula[io]"' in printed
+    assert f"pyarrow is not installed; {how_to_install('io')}" in printed
+
+
+@pytest.mark.parametrize(
+    ("noted", "way_out"),
+    [
+        (
+            '{"url": "file:///home/ana/pendula%20lab"}',
+            'run: pip install "/home/ana/pendula lab[io]"',
+        ),
+        ('{"url": "https://x.org/p.git"}', 'in a clone of pendula run: pip install ".[io]"'),
+        (None, 'in a clone of pendula run: pip install ".[io]"'),
+    ],
+)
+def test_what_to_install_is_true_of_a_clone(
+    noted: str | None, way_out: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    installed = SimpleNamespace(read_text=lambda _: noted)
+    monkeypatch.setattr("importlib.metadata.distribution", lambda _: installed)
+    assert how_to_install("io") == way_out
 
 
 @pytest.mark.parametrize(

@@ -14,6 +14,7 @@ import xarray as xr
 from chunked import files
 from commands import interrupted
 from pendula import sweep
+from pendula._checks import how_to_install
 from pendula.chunks import opened
 from pendula.cli.progress import work_bar
 from pendula.many.sweep.rows import MISSING
@@ -78,7 +79,7 @@ def test_an_existing_store_is_gone_on_with_or_started_again_only_if_asked_to(cal
     code, printed, error = call("sweep rods.toml -o rods.zarr")
     assert (code, printed) == (2, "")
     assert error == (
-        "pendula: rods.zarr exists; pass --resume to go on with it, --force to start again, "
+        "pendula: rods.zarr exists; pass --resume to resume it, --force to overwrite it, "
         "or choose another name\n"
     )
     Path("rods.zarr/energy/c.1.0").unlink()
@@ -148,7 +149,7 @@ def test_a_missing_extra_is_one_line(
     code, printed, error = call(f"sweep rods.toml {line}")
     package = module.partition(".")[0]
     assert (code, printed) == (1, "")
-    assert error == f'pendula: {package} is not installed; run: pip install "pendula[{install}]"\n'
+    assert error == f"pendula: {package} is not installed; {how_to_install(install)}\n"
 
 
 def test_an_object_stores_own_package_that_is_missing_is_named(

@@ -19,7 +19,7 @@ from test_readme import ROOT, blocks
 DOCS = ROOT / "docs"
 LANGUAGES = ("en", "es")
 PAGES = [*ROOT.glob("*.md"), *DOCS.rglob("*.md")]
-CATALOGUE = {
+CATALOGUE: dict[str, list[str]] = {
     "methods": [each.name for each in pendula.methods()],
     "systems": list(system_entries()),
 }

@@ -13,6 +13,7 @@ from pendula import DoublePendulum, Ensemble, SimplePendulum, ensemble, solve
 from pendula.events import angle, flip, tip_height, velocity_zero
 
 if TYPE_CHECKING:
+    from pendula._types import MethodName
     from pendula.systems import System
 
 RODS = DoublePendulum.rods()
@@ -22,7 +23,7 @@ ONE_BOB = [each for each in SYSTEMS if each.can.degrees_of_freedom == 1]
 
 
 def check_alone(
-    many: Ensemble, systems: Any, states: Any, t: Any, method: str, **options: Any
+    many: Ensemble, systems: Any, states: Any, t: Any, method: MethodName, **options: Any
 ) -> None:
     """Each trajectory has the bits of `solve`."""
     for i in range(len(many)):
@@ -88,7 +89,7 @@ def test_a_list_of_one_system_is_that_system() -> None:
 
 @pytest.mark.parametrize("method", NAMES)
 @pytest.mark.parametrize("direction", [1.0, -1.0])
-def test_many_outputs_within_a_step(method: str, direction: float) -> None:
+def test_many_outputs_within_a_step(method: MethodName, direction: float) -> None:
     states = any_states(RODS, 11)
     t = direction * np.concatenate([[0.0], np.geomspace(1e-9, 1.0, 200)])
     many = ensemble(RODS, states, t, method, tolerance=1e-4)
@@ -98,7 +99,7 @@ def test_many_outputs_within_a_step(method: str, direction: float) -> None:
 
 @pytest.mark.parametrize("tolerance", [1e-3, 1e-8, 2.0**-52])
 @pytest.mark.parametrize("method", NAMES)
-def test_any_tolerance(method: str, tolerance: float) -> None:
+def test_any_tolerance(method: MethodName, tolerance: float) -> None:
     states = any_states(RODS, 10)
     many = ensemble(RODS, states, [4.0], method, tolerance=tolerance)
     check_alone(many, RODS, states, [4.0], method, tolerance=tolerance)
@@ -143,7 +144,7 @@ def test_none_is_no_error() -> None:
 
 @pytest.mark.parametrize("direction", [1.0, -1.0])
 @pytest.mark.parametrize("method", NAMES)
-def test_events_are_recorded(method: str, direction: float) -> None:
+def test_events_are_recorded(method: MethodName, direction: float) -> None:
     states = 3.0 * any_states(RODS, 21)
     asked = (
         flip(1),
@@ -166,7 +167,7 @@ def test_events_are_recorded(method: str, direction: float) -> None:
 
 @pytest.mark.parametrize("terminal", [1, 3])
 @pytest.mark.parametrize("method", NAMES)
-def test_an_event_ends_its_own_run(method: str, terminal: int) -> None:
+def test_an_event_ends_its_own_run(method: MethodName, terminal: int) -> None:
     states = 3.0 * any_states(RODS, 40)
     options: dict[str, Any] = {
         "events": (flip(1, terminal=terminal), flip(2, terminal=terminal), tip_height(0.0)),
@@ -192,6 +193,7 @@ def test_events_of_one_bob(system: System) -> None:
 # ---- bad ones ----
 
 
+@pytest.mark.usefixtures("starts_beyond_the_sine")
 @pytest.mark.parametrize("method", taking("simple"), ids=label)
 def test_one_that_goes_wrong_leaves_the_others_alone(method: Any) -> None:
     system = SIMPLE
@@ -222,8 +224,11 @@ def test_a_limit_of_steps(method: Any, system: System, limit: int) -> None:
 # ---- until when they are right ----
 
 
+@pytest.mark.usefixtures("starts_beyond_the_sine")
 @pytest.mark.parametrize(("method", "options"), [("taylor", {"tolerance": 1e-7}), ("rk4", {})])
-def test_the_horizon_of_each_is_that_of_its_run(method: str, options: dict[str, Any]) -> None:
+def test_the_horizon_of_each_is_that_of_its_run(
+    method: MethodName, options: dict[str, Any]
+) -> None:
     options = {"step": 0.01} if method == "rk4" else options
     states = any_states(RODS, 6)
     states[2, 0] = 2.0**27  # right until its first step at most, as is the next one

@@ -7,13 +7,16 @@ import signal
 import threading
 import time
 from itertools import pairwise
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import pytest
 
 from pendula import DoublePendulum, LinearPendulum, SimplePendulum, ensemble
 from pendula.events import flip
+
+if TYPE_CHECKING:
+    from pendula._types import MethodName
 
 RODS, BOBS = DoublePendulum.rods(), DoublePendulum.bobs()
 LINEAR, SIMPLE = LinearPendulum(), SimplePendulum()
@@ -46,7 +49,7 @@ def test_progress_rises_to_the_end(options: dict[str, Any]) -> None:
     ],
 )
 def test_an_interrupt_ends_it(
-    count: int, t: float, method: str, options: dict[str, Any], threads: int
+    count: int, t: float, method: MethodName, options: dict[str, Any], threads: int
 ) -> None:
     states = starts(count)
     timer = threading.Timer(0.4, signal.raise_signal, [signal.SIGINT])

@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import pytest
 from mpmath import cos, mp, mpf, pi, sqrt
 
 from pendula import DoublePendulum, LinearPendulum, SimplePendulum, ensemble, exact, solve
+
+if TYPE_CHECKING:
+    from pendula._types import MethodName
 
 RODS = DoublePendulum.rods(m1=1.3, m2=0.7, l1=0.9, l2=1.1)
 DOUBLES = [
@@ -40,7 +43,7 @@ def test_energies_of_large_angles(system: DoublePendulum, angles: tuple[float, f
 @pytest.mark.parametrize("method", ["taylor", "dop853"])
 @pytest.mark.parametrize("amplitude", [1e-77, 1e-150, 1e-155, 1e-163, 1e-200, 1e-250, 1e-300])
 @pytest.mark.parametrize("system", [SimplePendulum(0.5), LinearPendulum(0.5)])
-def test_the_smallest_swings(system: Any, amplitude: float, method: str) -> None:
+def test_the_smallest_swings(system: Any, amplitude: float, method: MethodName) -> None:
     """Whose energy is below the smallest number; alone and through the lanes."""
     for state in ((amplitude, 0.0), (0.0, -3.0 * amplitude), (-amplitude, amplitude)):
         right = exact(system, state, [1.0, -3.0]).states / amplitude
@@ -54,7 +57,9 @@ def test_the_smallest_swings(system: Any, amplitude: float, method: str) -> None
 @pytest.mark.parametrize("method", ["taylor", "dop853"])
 @pytest.mark.parametrize("amplitude", [1e-150, 1e-155, 1e-163, 1e-200, 1e-300])
 @pytest.mark.parametrize("system", DOUBLES)
-def test_the_smallest_swings_of_two(system: DoublePendulum, amplitude: float, method: str) -> None:
+def test_the_smallest_swings_of_two(
+    system: DoublePendulum, amplitude: float, method: MethodName
+) -> None:
     """They are those of 1e-20 rad, smaller."""
     small = np.array([1.0, -0.5, 0.3, 2.0])
     right = solve(system, 1e-20 * small, [2.0], "taylor").states[-1] * 1e20

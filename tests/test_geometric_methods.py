@@ -5,6 +5,7 @@ import pytest
 
 from catalogue import ENTRIES, METHODS, label, made
 from pendula import DoublePendulum, SimplePendulum, exact, solve
+from pendula._types import MethodName
 from pendula.systems import System
 
 RODS = DoublePendulum.rods(gravity=9.81)
@@ -42,7 +43,7 @@ AFTER_TWENTY_SECONDS = {
 
 
 @pytest.mark.parametrize("method", NAMES)
-def test_they_follow_the_exact_solution(method: str) -> None:
+def test_they_follow_the_exact_solution(method: MethodName) -> None:
     t = np.linspace(0.0, 20.0, 201)
     want = exact(SIMPLE, (1.5, 0.3), t).states
     error = np.abs(solve(SIMPLE, (1.5, 0.3), t, method, step=0.01).states - want).max()
@@ -51,7 +52,7 @@ def test_they_follow_the_exact_solution(method: str) -> None:
 
 @pytest.mark.parametrize("method", NAMES)
 @pytest.mark.parametrize("system", BOBS, ids=label)
-def test_energy_stays_within_bounds(system: System, method: str) -> None:
+def test_energy_stays_within_bounds(system: System, method: MethodName) -> None:
     run = solve(system, (2.0, 0.0), np.linspace(0.0, 2000.0, 40001), method, step=0.05)
     drift, width = drift_and_width(run.energy_error)
     assert drift < width + ROUNDING
@@ -61,7 +62,7 @@ def test_energy_stays_within_bounds(system: System, method: str) -> None:
 
 
 @pytest.mark.parametrize("method", OF_RODS)
-def test_energy_of_the_rods_stays_within_bounds(method: str) -> None:
+def test_energy_of_the_rods_stays_within_bounds(method: MethodName) -> None:
     t = np.linspace(0.0, 600.0, 12001)
     drift, width = drift_and_width(
         solve(RODS, (0.5, 0.5, 0.0, 0.0), t, method, step=0.01).energy_error
@@ -100,7 +101,7 @@ def test_evaluations_are_counted() -> None:
 
 
 @pytest.mark.parametrize("method", OF_RODS)
-def test_a_step_too_large_to_iterate_ends_the_run(method: str) -> None:
+def test_a_step_too_large_to_iterate_ends_the_run(method: MethodName) -> None:
     run = solve(RODS, (2.0, 2.5, 0.0, 0.0), 100.0, method, step=2.0)
     assert run.outcome == "not_finite"
     assert np.isfinite(run.states).all()

@@ -6,7 +6,7 @@ import dataclasses
 import itertools
 import math
 from collections.abc import Sequence
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import pytest
@@ -23,16 +23,25 @@ from pendula import (
 )
 from pendula.events import Event, angle, flip, tip_height, velocity_zero
 
+if TYPE_CHECKING:
+    from pendula._types import MethodName
+
 RODS, SIMPLE, LINEAR = DoublePendulum.rods(), SimplePendulum(0.5), LinearPendulum(0.5)
 QUIET, WILD = (0.5, 0.7, 0.0, 0.0), (2.0, 2.5, 0.0, 0.0)
 PERIOD = float(truth.period(1.0, 0.0, SIMPLE.gravity, SIMPLE.length))
 LINEAR_PERIOD = 2 * math.pi * math.sqrt(LINEAR.length / LINEAR.gravity)
-METHODS = ["taylor", "dop853"]
+METHODS: list[MethodName] = ["taylor", "dop853"]
 WAYS = [1, -1]
 
 
 def ends(
-    systems: Sequence[Any], state: Any, event: Event, n: int, method: str, way: int, t0: float = 0.0
+    systems: Sequence[Any],
+    state: Any,
+    event: Event,
+    n: int,
+    method: MethodName,
+    way: int,
+    t0: float = 0.0,
 ) -> np.ndarray:
     """When n runs end, each of which starts from the end of the one before."""
     t, times = t0, []
@@ -60,7 +69,7 @@ def ends(
     ],
 )
 def test_swing_by_swing(
-    event: Event, first: float, each: float, system: Any, method: str, way: int
+    event: Event, first: float, each: float, system: Any, method: MethodName, way: int
 ) -> None:
     """A release from rest; backward in time, what rises with time is reached on the other way."""
     if way < 0 and event.direction:
@@ -74,7 +83,7 @@ def test_swing_by_swing(
 
 @pytest.mark.parametrize("way", WAYS)
 @pytest.mark.parametrize("method", METHODS)
-def test_turn_by_turn(method: str, way: int) -> None:
+def test_turn_by_turn(method: MethodName, way: int) -> None:
     times = ends([SIMPLE], (0.0, 14.0), flip(1, terminal=True), 5500 + 4500 * way, method, way)
     turn = float(truth.period(0.0, 14.0, SIMPLE.gravity, SIMPLE.length))
     right = way * turn * (0.5 + np.arange(times.size))
@@ -83,7 +92,7 @@ def test_turn_by_turn(method: str, way: int) -> None:
 
 @pytest.mark.parametrize("way", WAYS)
 @pytest.mark.parametrize("method", METHODS)
-def test_height_by_height(method: str, way: int) -> None:
+def test_height_by_height(method: MethodName, way: int) -> None:
     """Four in a period."""
     times = ends(
         [SIMPLE], (1.0, 0.0), tip_height(-0.45, terminal=True), 5500 + 4500 * way, method, way
@@ -93,7 +102,7 @@ def test_height_by_height(method: str, way: int) -> None:
 
 @pytest.mark.parametrize("way", WAYS)
 @pytest.mark.parametrize("method", METHODS)
-def test_a_nail_under_the_pivot(method: str, way: int) -> None:
+def test_a_nail_under_the_pivot(method: MethodName, way: int) -> None:
     """The length changes at the lowest point: half swings of 2 K(k) / ωn, k = ω / 2 ωn."""
     nail = SimplePendulum(0.45)
     times = ends(
@@ -123,7 +132,7 @@ OF_RODS = [
 @pytest.mark.parametrize("way", WAYS)
 @pytest.mark.parametrize("method", METHODS)
 @pytest.mark.parametrize("event", OF_RODS)
-def test_rods_go_on_as_if_nothing_had_ended(event: Event, method: str, way: int) -> None:
+def test_rods_go_on_as_if_nothing_had_ended(event: Event, method: MethodName, way: int) -> None:
     """A regular motion, whose pieces are one run with all its events."""
     times = ends([RODS], QUIET, event, 300, method, way)
     onward = dataclasses.replace(event, terminal=0)
@@ -210,7 +219,7 @@ def test_an_event_at_the_instant_of_the_end_is_reported(
 
 @pytest.mark.parametrize("tolerance", [1e-3, 1e-5, 1e-6, 1e-9])
 @pytest.mark.parametrize("method", METHODS)
-def test_every_change_of_sign_is_an_event(method: str, tolerance: float) -> None:
+def test_every_change_of_sign_is_an_event(method: MethodName, tolerance: float) -> None:
     """Between any two steps, with loose tolerances, too, and through the lanes."""
     rng = np.random.default_rng(12)
     starts = [(0.5, 1.2, 0.0, 0.0), (0.6, 2.2, 0.0, 0.0), *rng.uniform(-3.0, 3.0, (200, 4))]

@@ -13,6 +13,7 @@ import pytest
 import pendula
 from alike import same
 from pendula import DoublePendulum, LinearPendulum, SimplePendulum, exact, solve
+from pendula._checks import how_to_install
 from pendula._writing import replacing
 from pendula.events import angle, flip, tip_height, velocity_zero
 from pendula.io import UncheckedFileWarning, files
@@ -269,5 +270,5 @@ for ending in ("nc", "parquet", "zarr"):
         print(error)
 """
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
-    assert done.stdout.count('is not installed; run: pip install "pendula[io]"') == 3
+    assert done.stdout.count(f"is not installed; {how_to_install('io')}") == 3
     assert [each.name for each in tmp_path.iterdir()] == ["run.csv"]

@@ -92,7 +92,9 @@ def test_a_section_tells_its_own_limit_of_steps() -> None:
 @every_function
 @pytest.mark.parametrize("option", ["stp", "Step", "options", "system_"])
 def test_an_unknown_option_is_named_with_the_function(name: str, option: str) -> None:
-    with pytest.raises(TypeError, match=rf"^{name}\(\) got an unexpected keyword .* '{option}'$"):
+    with pytest.raises(
+        TypeError, match=rf"^{name}\(\) got an unexpected keyword .* '{option}'(;|$)"
+    ):
         CALLS[name][0](**{option: 1})
 
 
@@ -100,7 +102,7 @@ def test_an_unknown_option_is_named_with_the_function(name: str, option: str) ->
     "option", [name for name in NAMES if name not in ("tolerance", "max_steps")]
 )
 def test_a_section_refuses_the_options_it_does_not_take(option: str) -> None:
-    with pytest.raises(TypeError, match=rf"^poincare_section\(\) got .* '{option}'$"):
+    with pytest.raises(TypeError, match=rf"^poincare_section\(\) got .* '{option}'(;|$)"):
         CALLS["poincare_section"][0](**{option: GIVEN[option]})
 
 

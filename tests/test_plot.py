@@ -22,6 +22,7 @@ from pendula import (
     plot,
     solve,
 )
+from pendula._checks import how_to_install
 from pendula.analysis import agm_iterations, convergence_order, series_terms, work_precision
 from pendula.plot.labels import LANGUAGES, labels
 from pendula.plot.style import line
@@ -163,7 +164,7 @@ def test_trajectory_plot_is_this_figure() -> None:
 
 def test_trajectory_refuses_several_runs_and_other_languages() -> None:
     several = exact(SIMPLE, [LARGE, (0.1, 0.0)], T)
-    with pytest.raises(ValueError, match="one trajectory at a time"):
+    with pytest.raises(ValueError, match="must be one motion, got states of shape"):
         plot.trajectory(several)
     with pytest.raises(ValueError, match="language must be one of en, es; got 'fr'"):
         plot.trajectory(exact(SIMPLE, LARGE, T), language="fr")
@@ -218,5 +219,5 @@ def test_import_does_not_bring_matplotlib(module: str) -> None:
 
 def test_without_matplotlib_one_line_says_what_to_install(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(sys.modules, "matplotlib", None)
-    with pytest.raises(ImportError, match=r'pip install "pendula\[report\]"'):
+    with pytest.raises(ImportError, match=re.escape(how_to_install("report"))):
         plot.phase_portrait(SIMPLE, (0.1,))

@@ -76,6 +76,8 @@ def check_setup(command: str) -> bool:
         project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
         named = {extra for group in re.findall(r"\[(.*?)\]", command) for extra in group.split(",")}
         assert named <= set(project["optional-dependencies"]), f"no such extra: {command}"
+    elif words[0] == "source":
+        assert words[1] == ".venv/bin/activate", f"made by no target: {command}"
     else:
         return False
     return True

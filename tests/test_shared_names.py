@@ -39,6 +39,7 @@ def test_a_trajectory_and_an_ensemble_share_the_names_of_what_they_share() -> No
     assert many == {*SHARED, *PLURAL.values()}
 
 
+@pytest.mark.usefixtures("starts_beyond_the_sine")
 @pytest.mark.parametrize("limit", [None, 1, 12])
 @pytest.mark.parametrize("direction", [1.0, -1.0])
 @pytest.mark.parametrize(("method", "system"), TAKEN, ids=label)

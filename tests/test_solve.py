@@ -10,6 +10,7 @@ import pytest
 
 from catalogue import ENTRIES, FIXED, METHODS, label, made
 from pendula import DoublePendulum, SimplePendulum, exact, solve
+from pendula._types import MethodName
 from pendula.systems import System
 from stored import cases
 
@@ -89,7 +90,7 @@ def test_the_measured_order_is_the_order(system: Any, method: Any) -> None:
 
 
 @pytest.mark.parametrize("method", OF_RODS)
-def test_output_times_do_not_change_the_grid(method: str) -> None:
+def test_output_times_do_not_change_the_grid(method: MethodName) -> None:
     start = (1.0, -0.5, 0.2, 0.3)
     own = solve(RODS, start, 1.0, method, step=0.01)
     assert own.t.size == 101
@@ -109,7 +110,7 @@ def test_the_last_step_is_shortened_to_the_end() -> None:
 
 
 @pytest.mark.parametrize("method", NAMES)
-def test_backward_in_time(method: str) -> None:
+def test_backward_in_time(method: MethodName) -> None:
     there = solve(SIMPLE, (1.0, 0.3), 5.0, method, t0=3.0, step=1e-4)
     back = solve(SIMPLE, there.states[-1], 3.0, method, t0=5.0, step=1e-4)
     assert back.t[0] == 5.0

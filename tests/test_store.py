@@ -12,6 +12,7 @@ import xarray as xr
 import zarr
 
 from chunked import PAIR, Waves, chunks_in, files, waves
+from pendula._checks import how_to_install
 from pendula.chunks import opened, run
 
 
@@ -233,8 +234,8 @@ told(lambda: run(waves(), client=object()))
         [sys.executable, "-c", code], cwd=here, capture_output=True, text=True, check=True
     )
     assert done.stdout.splitlines() == [
-        'xarray is not installed; run: pip install "pendula[io]"',
-        'distributed is not installed; run: pip install "pendula[cluster]"',
-        'fsspec is not installed; run: pip install "pendula[cluster]"',
-        'distributed is not installed; run: pip install "pendula[cluster]"',
+        f"xarray is not installed; {how_to_install('io')}",
+        f"distributed is not installed; {how_to_install('cluster')}",
+        f"fsspec is not installed; {how_to_install('cluster')}",
+        f"distributed is not installed; {how_to_install('cluster')}",
     ]

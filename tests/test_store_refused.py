@@ -1,7 +1,6 @@
 """What a store refuses, a full disk, and the order in which files become there."""
 
 import errno
-import fcntl
 import os
 import resource
 import subprocess
@@ -10,6 +9,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
+import portalocker
 import pytest
 import zarr
 
@@ -70,7 +70,7 @@ def test_what_is_not_a_store_stays(overwrite: bool, tmp_path: Path) -> None:
 def test_a_store_is_started_again_when_asked(undisturbed: Path, tmp_path: Path) -> None:
     store = tmp_path / "w.zarr"
     run(waves((9, 9), scale=2.0), store)
-    with pytest.raises(FileExistsError, match="pass resume=True to go on"):
+    with pytest.raises(FileExistsError, match="pass resume=True to resume it"):
         run(waves((9, 9), scale=2.0), store, resume=False)
     run(waves(), store, overwrite=True)
     assert files(store) == files(undisturbed)
@@ -117,16 +117,62 @@ def test_two_runs_do_not_write_one_store(tmp_path: Path) -> None:
     assert "unfinished" not in opened(store).attrs
 
 
+def test_a_store_is_written_where_there_is_neither_fcntl_nor_an_open_folder(tmp_path: Path) -> None:
+    """As on Windows: the lock is a file beside, held by another module, and gone at the end."""
+    code = (
+        "import os, sys, portalocker\n"
+        "del os.O_DIRECTORY; sys.modules['fcntl'] = None\n"
+        "from chunked import waves; from pendula.chunks import run\n"
+        "def on(share):\n"
+        "    assert os.listdir(os.path.dirname(sys.argv[1])).count('.w.zarr.lock') == 1\n"
+        "    try: run(waves(), sys.argv[1])\n"
+        "    except BlockingIOError as error: assert 'another process is writing' in str(error)\n"
+        "    else: raise AssertionError('two writers')\n"
+        "run(waves(), sys.argv[1], progress=on)\n"
+        "run(waves(), sys.argv[1])\n"
+    )
+    store = tmp_path / "w.zarr"
+    subprocess.run(
+        [sys.executable, "-c", code, store], cwd=Path(__file__).parent, check=True, timeout=60
+    )
+    assert [path.name for path in tmp_path.iterdir()] == ["w.zarr"]
+    assert "unfinished" not in opened(store).attrs
+
+
+@pytest.mark.parametrize("number", [errno.ENOLCK, errno.ENOSYS])
+def test_a_disk_without_locks_is_written_without(
+    number: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def none(handle: int, how: int) -> None:
+        raise OSError(number, os.strerror(number))
+
+    monkeypatch.setattr(portalocker.portalocker, "LOCKER", none)
+    with Folder(tmp_path).locked():
+        pass
+
+
+def test_a_lock_that_fails_is_told(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    def none(handle: int, how: int) -> None:
+        raise OSError(errno.EIO, os.strerror(errno.EIO))
+
+    monkeypatch.setattr(portalocker.portalocker, "LOCKER", none)
+    with (
+        pytest.raises(OSError, match="cannot lock .*Input/output error"),
+        Folder(tmp_path).locked(),
+    ):
+        pass
+
+
 def test_a_lock_ends_though_a_process_just_forked_holds_it(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    lock, copies = fcntl.flock, list[int]()
+    lock, copies = portalocker.portalocker.LOCKER, list[int]()
 
     def shared(handle: int, how: int) -> None:
         copies.append(os.dup(handle))  # as a fork does
-        lock(handle, how)
+        lock(handle, how)  # type: ignore[operator,call-arg]
 
-    monkeypatch.setattr(fcntl, "flock", shared)
+    monkeypatch.setattr(portalocker.portalocker, "LOCKER", shared)
     for _ in range(2):
         with Folder(tmp_path).locked():
             pass

@@ -13,6 +13,7 @@ import pytest
 pytest.importorskip("matplotlib")
 pytest.importorskip("typst")
 
+from pendula._checks import how_to_install
 from pendula.study import run_study
 from pendula.study.figures import Figures
 
@@ -125,7 +126,7 @@ def test_mistakes_are_told_before_anything_is_computed(
     with pytest.raises(ValueError, match="language must be one of en, es; got 'fr'"):
         run_study(quick, out, "fr")
     monkeypatch.setitem(sys.modules, "typst", None)
-    with pytest.raises(ImportError, match=r'pip install "pendula\[report\]"'):
+    with pytest.raises(ImportError, match=re.escape(how_to_install("report"))):
         run_study(quick, out, "en")
     quick.write_text("[simple]\nstep = 1")
     with pytest.raises(ValueError, match=r"quick\.toml, line 2"):
@@ -161,6 +162,7 @@ def test_a_reference_that_breaks_down_ends_the_study(quick: Path) -> None:
     assert _nothing_left(quick.parent)
 
 
+@pytest.mark.filterwarnings("ignore::pendula.StiffWarning")
 @pytest.mark.parametrize(
     ("text", "told"),
     [

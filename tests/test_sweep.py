@@ -132,6 +132,7 @@ def test_the_outcomes_are_the_cores() -> None:
     assert len(ENDS) < MISSING
 
 
+@pytest.mark.usefixtures("starts_beyond_the_sine")
 def test_one_bad_row_does_not_spoil_the_others(tmp_path: Path) -> None:
     good = '[state]\ntheta = { list = ["10 deg", "20 deg"] }\n'
     bad = good.replace('"20 deg"', '"1e9 rad", "20 deg"')

@@ -8,7 +8,7 @@ import signal
 import subprocess
 import sys
 import time
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import pytest
@@ -16,6 +16,9 @@ import pytest
 from catalogue import ADAPTIVE, ENTRIES, label, made
 from pendula import DoublePendulum, LinearPendulum, SimplePendulum, _engine, exact, solve
 from stored import EPS, cases
+
+if TYPE_CHECKING:
+    from pendula._types import MethodName
 
 RODS = DoublePendulum.rods(gravity=9.81)
 SIMPLE = SimplePendulum(0.5, 9.81)
@@ -139,7 +142,7 @@ def test_a_late_start_changes_nothing() -> None:
 @pytest.mark.parametrize(("t0", "end"), [(0.0, 30.0), (-5.0, 400.0), (7.0, -20.0)])
 @pytest.mark.parametrize("method", NAMES)
 def test_dense_output_is_what_the_run_would_have_put_out(
-    method: str, t0: float, end: float
+    method: MethodName, t0: float, end: float
 ) -> None:
     run = solve(RODS, WILD, end, method, t0=t0)
     t = np.random.default_rng(3).uniform(min(t0, end), max(t0, end), 3000)

@@ -25,6 +25,8 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
+    from pendula._types import MethodName
+
     Array = NDArray[np.float64]
 
 DOUBLE = cases("double.json")
@@ -117,7 +119,11 @@ RUNS: list[tuple[str, dict[str, Any]]] = [
 @pytest.mark.parametrize(("method", "options"), RUNS)
 @pytest.mark.parametrize("case", CHAOTIC)
 def test_the_horizon_is_where_the_run_parts(
-    case: dict[str, Any], method: str, options: dict[str, Any], certify: float, direction: float
+    case: dict[str, Any],
+    method: MethodName,
+    options: dict[str, Any],
+    certify: float,
+    direction: float,
 ) -> None:
     system, state = rods(case)
     state[2:] *= direction  # backward it is the same motion with the velocities turned
@@ -172,7 +178,7 @@ def many_steps() -> None:
 
 @pytest.mark.parametrize("method", ["euler", "rk4", "gauss8"])
 @pytest.mark.parametrize("speed", [1e12, 1e300])
-def test_a_run_beyond_all_bounds_is_wrong_at_once(method: str, speed: float) -> None:
+def test_a_run_beyond_all_bounds_is_wrong_at_once(method: MethodName, speed: float) -> None:
     run = solve(SimplePendulum(), (1.5, speed), [1.0], method, step=0.01, certify=1e-6)
     assert (run.outcome, run.trust_horizon) == ("not_finite", 0.01)
 

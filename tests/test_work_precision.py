@@ -6,7 +6,7 @@ import csv
 import json
 import math
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import pytest
@@ -24,6 +24,9 @@ from pendula.analysis import (
 )
 from pendula.io.rows import write_rows
 from pendula.plot.style import MARKERS, line
+
+if TYPE_CHECKING:
+    from pendula._types import MethodName
 
 SIMPLE, LARGE = SimplePendulum(0.5), (2.6, 0.0)
 RODS, START = DoublePendulum.rods(), (2.0943951023931953, -0.17453292519943295, 0.0, 0.0)
@@ -203,7 +206,7 @@ def test_files_hold_every_run_and_what_was_compared(double: WorkPrecision, tmp_p
 
 def test_progress_goes_from_nothing_to_all() -> None:
     seen: list[tuple[str, float]] = []
-    chosen = ["rk4", "taylor", "rk4"]
+    chosen: list[MethodName] = ["rk4", "taylor", "rk4"]
     work_precision(
         RODS, START, 1.0, chosen, points=2, timed=False, progress=lambda *each: seen.append(each)
     )

@@ -50,7 +50,16 @@ struct collector final : receiver {
     starts.add(motion);
     return true;
   }
-  bool go_on(double t) override { return watch((t - asked.t0) / span); }
+  bool go_on(double t) override { return watch(std::max((t - asked.t0) / span, found())); }
+
+  // The part that is found of the events that end the run: where the end is infinitely late, all that is known.
+  double found() const {
+    double part = 0.0;
+    for (std::size_t i = 0; i < asked.events.size(); ++i)
+      if (const auto wanted = static_cast<double>(asked.events[i].terminal); wanted > 0.0)
+        part = std::max(part, static_cast<double>(to.events[i].times.size()) / wanted);
+    return part;
+  }
 
   const request& asked;
   run_result& to;

@@ -19,6 +19,7 @@ _HOMES = {
     "run.exact": ("action", "exact", "time_at"),
     "run.sections": ("poincare_section",),
     "run.solve": ("methods", "solve"),
+    "run.stiffness": ("StiffWarning",),
     "run.trajectory": ("Trajectory",),
     "many.ensembles": ("Ensemble", "ensemble"),
     "many.maps": ("divergence_map", "flip_map"),
@@ -55,6 +56,7 @@ if TYPE_CHECKING:
     from pendula.run.exact import action, exact, time_at
     from pendula.run.sections import poincare_section
     from pendula.run.solve import methods, solve
+    from pendula.run.stiffness import StiffWarning
     from pendula.run.trajectory import Trajectory
     from pendula.systems import DoublePendulum, LinearPendulum, SimplePendulum
 
@@ -64,6 +66,7 @@ __all__ = [
     "Ensemble",
     "LinearPendulum",
     "SimplePendulum",
+    "StiffWarning",
     "Trajectory",
     "action",
     "degrees",

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import importlib.util
+import json
 import math
 import operator
 from typing import TYPE_CHECKING, Any
 
-from pendula._given import plain
-from pendula._messages import ArgumentError
+from pendula._given import doubles, plain
+from pendula._messages import ArgumentError, meant
 from pendula._rules import broken
 
 if TYPE_CHECKING:
@@ -43,7 +44,23 @@ def installed(module: str, name: str) -> None:
 
 def _missing(module: str, name: str) -> MissingExtraError:
     package = module.partition(".")[0]
-    return MissingExtraError(f'{package} is not installed; run: pip install "pendula[{name}]"')
+    return MissingExtraError(f"{package} is not installed; {how_to_install(name)}")
+
+
+def how_to_install(name: str) -> str:
+    """What brings an extra: pendula is in no registry, pip notes the clone that it came from."""
+    from importlib.metadata import PackageNotFoundError, distribution
+    from urllib.parse import urlsplit
+    from urllib.request import url2pathname
+
+    try:
+        noted = json.loads(distribution("pendula").read_text("direct_url.json") or "{}")
+    except PackageNotFoundError:
+        noted = {}
+    url = urlsplit(noted.get("url", ""))
+    if url.scheme == "file":
+        return f'run: pip install "{url2pathname(url.path)}[{name}]"'
+    return f'in a clone of pendula run: pip install ".[{name}]"'
 
 
 def number(name: str, value: object, unit: str = "") -> float:
@@ -51,6 +68,8 @@ def number(name: str, value: object, unit: str = "") -> float:
     try:
         given = plain(name, value, unit)
         kind = getattr(getattr(given, "dtype", None), "kind", "f")
+        if kind == "O" and getattr(given, "ndim", 1) == 0:
+            return number(name, given.item(), unit)
         if isinstance(given, str | bytes) or kind not in "iuf" or getattr(given, "ndim", 0) != 0:
             raise TypeError
         return float(given)
@@ -98,9 +117,9 @@ def numbers_array(name: str, value: ArrayLike, unit: Units = "") -> Array:
 
     try:
         array = np.array(plain(name, value, unit), order="C")
-        if array.dtype.kind not in "iuf" and array.size:
-            raise TypeError
-        return array.astype(np.float64, copy=False)
+        if array.dtype.kind == "O" and array.ndim:  # its entries may carry units
+            array = np.array(plain(name, array.tolist(), unit), order="C")
+        return doubles(array)
     except ArgumentError:
         raise
     except (OverflowError, TypeError, ValueError):
@@ -201,6 +220,7 @@ def checked_progress(progress: object) -> Any:
 def one_of(name: str, value: object, choices: Iterable[str]) -> str:
     """`value`, which has to be one of the names."""
     known = tuple(choices)
-    if value not in known:
-        raise broken(name, "unknown_name", choices=known, value=value)
+    if not isinstance(value, str) or value not in known:
+        way_out = meant(value, known) if isinstance(value, str) else ""
+        raise broken(name, "unknown_name", way_out=way_out, choices=known, value=value)
     return str(value)

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, cast
 from pendula import _core
 
 if TYPE_CHECKING:
-    from pendula._types import Array
+    from pendula._types import Array, MethodName
 
 
 Description = _core.Description
@@ -113,7 +113,7 @@ class Method:
             the lowest on; empty where it is none.
     """
 
-    name: str
+    name: MethodName
     order: int
     evaluations_per_step: int | None
     adaptive: bool

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from decimal import Decimal
+from numbers import Real
 from typing import TYPE_CHECKING, Any
 
 from pendula._messages import ArgumentError
@@ -11,6 +13,10 @@ from pendula.units import conversion, near, scaled
 
 if TYPE_CHECKING:
     from fractions import Fraction
+
+    from numpy.typing import NDArray
+
+    from pendula._types import Array
 
     Units = str | Mapping[str, str]
 
@@ -46,6 +52,33 @@ def plain(name: str, value: Any, units: Units) -> Any:
     if unit is None:
         return plain(name, numbers, units)
     return _converted(name, numbers, unit, units)
+
+
+def doubles(array: NDArray[Any]) -> Array:
+    """An array's numbers as doubles, each rounded once: those of Fraction and Decimal too.
+
+    Raises:
+        TypeError: for anything else than numbers.
+    """
+    import numpy as np
+
+    if array.dtype.kind == "O":
+        found = [_double(each) for each in array.ravel()]
+        return np.array(found, dtype=np.float64).reshape(array.shape)
+    if array.dtype.kind not in "iuf" and array.size:
+        raise TypeError("no numbers")
+    return array.astype(np.float64, copy=False)
+
+
+def _double(value: Any) -> float:
+    """A number that is an object, rounded once."""
+    kind = getattr(getattr(value, "dtype", None), "kind", "f")
+    if kind == "O" and value.ndim == 0:
+        return _double(value.item())
+    is_number = isinstance(value, Real | Decimal) and not isinstance(value, bool)
+    if not is_number or kind not in "iuf":
+        raise TypeError("no number")
+    return float(value)
 
 
 def carries_unit(value: Any) -> bool:
@@ -111,13 +144,11 @@ def _converted(name: str, numbers: Any, written: str, units: Units) -> Any:
     """The numbers in their SI unit."""
     import numpy as np
 
-    array = np.asarray(plain(name, numbers, ""))
-    if array.dtype.kind not in "iuf":
-        raise TypeError("no numbers")
+    array = doubles(np.asarray(plain(name, numbers, "")))
     each = units if isinstance(units, Mapping) else {"": units}
     factors = {_factor(name, written, unit, component) for component, unit in each.items()}
     (factor,) = factors  # two kinds of unit cannot both be that of one
-    return scaled(array.astype(np.float64), factor)
+    return scaled(array, factor)
 
 
 def _factor(name: str, written: str, unit: str, component: str) -> Fraction:

@@ -9,7 +9,10 @@ as its first argument.
 from __future__ import annotations
 
 import re
-from typing import Any
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable
 
 _PLACES = re.compile(r"<([\w{}]+)(?:=([^<>]*))?>|\{(\w+)\}")
 _BRACES = re.compile(r"\{(\w+)\}")
@@ -106,6 +109,15 @@ def message_of(error: BaseException) -> str:
     """What an error says: a `Message`, where it carries one."""
     first = error.args[0] if error.args else ""
     return first if isinstance(first, Message) else str(error)
+
+
+def meant(given: object, known: Iterable[str]) -> str:
+    """The way out of a name that is none: the known one most like it; empty: none is."""
+    import difflib
+
+    names = {each.lower(): each for each in known}
+    close = difflib.get_close_matches(str(given).lower(), names, n=1)
+    return f"did you mean {names[close[0]]!r}?" if close else ""
 
 
 def one_line(said: object) -> str:

@@ -2,22 +2,24 @@
 
 from __future__ import annotations
 
-import difflib
 import json
 import math
 import re
 import tomllib
+from collections.abc import Mapping
 from contextlib import contextmanager
+from os import PathLike
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from pendula._engine import option_unit
-from pendula._messages import Message, Naming, message_of
+from pendula._messages import ArgumentError, Message, Naming, meant, message_of
 from pendula.units import quantity
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Iterator, Mapping
+    from collections.abc import Iterable, Iterator
 
+    RecipeSource = str | PathLike[str] | Mapping[str, Any]
 
 _DEEPEST = 50
 _OLD_NAMES = {"t_max": "until"}  # what keys were called before; files with them are still read
@@ -40,15 +42,26 @@ class RecipeFile:
         self.tables = {name: _renamed(table) for name, table in self._parsed().items()}
 
     @classmethod
-    def read(cls, path: Path) -> RecipeFile:
-        """The recipe in a file.
+    def read(cls, recipe: RecipeSource) -> RecipeFile:
+        """The recipe in a file, or in a dict of its tables.
 
         Raises:
             ValueError: for what is not TOML, or not text.
             OSError: if the file cannot be read.
         """
+        if isinstance(recipe, Mapping):
+            made = cls("recipe", "")
+            made.tables = {name: _renamed(table) for name, table in _plain(recipe).items()}
+            return made
+        if not isinstance(recipe, str | PathLike):
+            rule = "must be the path of a TOML file, or a dict of its tables; got {value}"
+            raise ArgumentError("recipe", rule, value=recipe)
+        path = Path(recipe)
         try:
             return cls(str(path), path.read_text(encoding="utf-8-sig"))
+        except FileNotFoundError:
+            way_out = "give the path of a recipe in TOML"
+            raise FileNotFoundError(f"there is no file {path}; {way_out}") from None
         except UnicodeDecodeError as error:
             line = path.read_bytes()[: error.start].count(b"\n") + 1
             raise ValueError(f"{path}, line {line}: not UTF-8 text; save it as UTF-8") from None
@@ -123,7 +136,7 @@ class RecipeFile:
             place = re.search(r"\s*\(at line (\d+), column (\d+)\)", str(error))
             line = int(place[1]) if place else len(self._text.splitlines())
             what = re.sub(r"\s*\(at [^)]*\)$", "", str(error))
-            hint = 'write text and quantities in quotes, as in length = "50 cm"'
+            hint = _hint(self._text.splitlines()[line - 1 : line], what)
             raise ValueError(f"{self.name}, line {line}: not TOML: {what}; {hint}") from None
         except RecursionError:
             rule = f"tables and lists must be at most {_DEEPEST} within one another"
@@ -165,8 +178,38 @@ def _renamed(table: Any) -> Any:
 
 def suggestion(name: str, known: Iterable[str]) -> str:
     """The known name that was meant, or all of them."""
-    close = difflib.get_close_matches(name, known, n=1)
-    return f"did you mean {close[0]!r}?" if close else f"there are {', '.join(known)}"
+    return meant(name, known) or f"there are {', '.join(known)}"
+
+
+def _hint(lines: list[str], what: str) -> str:
+    """The way out of a line that is not TOML."""
+    line = lines[0].strip() if lines else ""
+    if any(word in what for word in ("overwrite", "twice", "already", "mutate")):
+        return "name each table and each key once"
+    if set(line) & set("“”„«»‘’"):
+        return 'use straight quotes, as in length = "50 cm"'
+    if line.startswith("["):
+        name = re.sub(r"[^\w.]", "", line.partition("#")[0]) or "run"
+        return f"write a table's name in brackets, on a line of its own: [{name}]"
+    if line and "=" not in line and line[0] not in "\"']}":
+        return 'write each line as key = "value"'
+    if line.count('"') % 2:
+        return 'close the quotes, as in length = "50 cm"'
+    return 'write text and quantities in quotes, as in length = "50 cm"'
+
+
+def _plain(value: Any, depth: int = 0) -> Any:
+    """Tables in a dict as TOML would give them: lists for tuples and arrays, Python's numbers."""
+    if depth > _DEEPEST:
+        rule = f"must have tables and lists at most {_DEEPEST} within one another"
+        raise ArgumentError("recipe", rule)
+    if isinstance(value, Mapping):
+        return {str(key): _plain(each, depth + 1) for key, each in value.items()}
+    if hasattr(value, "tolist"):  # numpy
+        return value.tolist()
+    if isinstance(value, list | tuple):
+        return [_plain(each, depth + 1) for each in value]
+    return value
 
 
 def as_toml(value: Any) -> str:

@@ -11,18 +11,23 @@ if TYPE_CHECKING:
     from pendula._engine import Fault
 
 
-def broken(argument: str, rule: str, *, digits: bool = True, **details: Any) -> ArgumentError:
+def broken(
+    argument: str, rule: str, *, way_out: str = "", digits: bool = True, **details: Any
+) -> ArgumentError:
     """The error of an argument that breaks a rule.
 
     Args:
         argument: its name.
         rule: the rule's key.
+        way_out: a better one than the rule's.
         digits: whether there is an option of that name that the way out can offer.
         **details: what the sentence names.
     """
     row = _engine.rule_rows()[rule]
-    way_out = row.way_out_in_english if digits or "<digits" not in row.way_out_in_english else ""
-    return ArgumentError(argument, row.english, way_out, **details)
+    usual = row.way_out_in_english
+    if not digits and "<digits" in usual:
+        usual = ""
+    return ArgumentError(argument, row.english, way_out or usual, **details)
 
 
 def refuse(fault: Fault | None, *, digits: bool = True, **names: str) -> None:

@@ -29,7 +29,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Sequence
 
     from pendula._progress import StepProgress
-    from pendula._types import Array
+    from pendula._types import Array, MethodName
     from pendula.run.trajectory import Trajectory
 
 
@@ -54,7 +54,7 @@ def work_precision(
     system: System,
     state: ArrayLike,
     t_max: float,
-    methods: Iterable[str] | None = None,
+    methods: Iterable[MethodName] | MethodName | None = None,
     *,
     t0: float = 0.0,
     points: int = POINTS,
@@ -125,7 +125,12 @@ def _chosen(system: System, names: Iterable[str] | None) -> list[_engine.Method]
     """The methods of these names, each once."""
     if names is None:
         return [each for each in _engine.methods() if system.name in each.systems]
-    chosen = [_taken(checked_name(name, "methods"), system) for name in dict.fromkeys(names)]
+    try:
+        given: list[object] = [names] if isinstance(names, str) else list(names)
+    except TypeError:
+        given = [names]
+    known = dict.fromkeys(checked_name(name, "methods") for name in given)
+    chosen = [_taken(name, system) for name in known]
     if not chosen:
         raise ArgumentError("methods", "must name at least one method, got none")
     return chosen

@@ -5,6 +5,7 @@ from __future__ import annotations
 import io
 import os
 import sys
+import warnings
 from contextlib import redirect_stderr, redirect_stdout
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -21,6 +22,7 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
 FAILED, WRONG_USE = 1, 2
+_COMPLETE = "_PENDULA_COMPLETE"  # a shell sets it, to be given its script or words
 _OLD_OPTIONS = {"until": "t-max"}  # what options were called before is still read
 BAD_PATH = (
     FileExistsError,
@@ -35,7 +37,10 @@ BAD_PATH = (
     cls=ChoiceGroup,
     kind="command",
     epilog="Quantities take units: 50cm, 30deg, 9.81m/s^2; angles need one, others are SI.",
-    context_settings={"token_normalize_func": lambda name: _OLD_OPTIONS.get(name, name)},
+    context_settings={
+        "help_option_names": ["-h", "--help"],
+        "token_normalize_func": lambda name: _OLD_OPTIONS.get(name, name),
+    },
 )
 @click.version_option(__version__, message="pendula %(version)s")
 def _pendula() -> None:
@@ -53,8 +58,22 @@ def run(arguments: Sequence[str] | None) -> int:
         Path(os.devnull).open("w", encoding="utf-8") as nowhere,  # a closed stream is None
         redirect_stdout(sys.stdout or nowhere),
         redirect_stderr(sys.stderr or nowhere),
+        warnings.catch_warnings(),
     ):
-        return _run(given)
+        warnings.showwarning = _tell
+        return _complete() if _COMPLETE in os.environ else _run(given)
+
+
+def _tell(message: Warning | str, *_: object, **__: object) -> None:
+    """Show a warning in one line, without the code that it came from."""
+    print(f"pendula: warning: {message}", file=sys.stderr)
+
+
+def _complete() -> int:
+    """Give a shell its script, or the words that can follow."""
+    from click.shell_completion import shell_complete
+
+    return shell_complete(_pendula, {}, "pendula", _COMPLETE, os.environ[_COMPLETE])
 
 
 def _run(given: list[str]) -> int:

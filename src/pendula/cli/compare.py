@@ -13,6 +13,7 @@ from pendula.cli.options import start_of, start_options, system_of, system_optio
 from pendula.cli.pictures import checked_picture, file_and_picture, write_picture
 from pendula.cli.progress import progress_bar
 from pendula.cli.run import seconds, span_of, start_time
+from pendula.cli.tables import paragraph, table
 from pendula.systems import systems_that
 
 if TYPE_CHECKING:
@@ -72,7 +73,7 @@ def _compare(entry: SystemEntry, **given: Any) -> None:
         )
     _write(found, out, picture, given)
     click.echo(_table(found))
-    click.echo(_summary(found))
+    click.echo(paragraph(_summary(found)))
     for path in filter(None, (out, picture)):
         click.echo(path)
 
@@ -105,16 +106,14 @@ def _write(
 
 def _table(found: WorkPrecision) -> str:
     """One row per method: its best error, its error at equal work, and what the targets cost."""
-    from pendula.cli.tables import table
-
     work = found.equal_work()
-    costs = [f"to {target:g} rad" for target in _TARGETS]
+    costs = [f"evals, time\nto {target:g} rad" for target in _TARGETS]
     rows = [
         [each.method, _error(each.best), _error(each.error_at(work))]
         + [_cost(each, target) for target in _TARGETS]
         for each in found.methods
     ]
-    return table(["method", "best [rad]", f"after {work} evaluations", *costs], rows)
+    return table(["method", "best\n[rad]", f"at {work}\nevals", *costs], rows)
 
 
 def _error(error: float) -> str:
@@ -123,7 +122,14 @@ def _error(error: float) -> str:
 
 def _cost(work: MethodWork, target: float) -> str:
     evaluations, taken = work.to_reach(target)
-    return _NEVER if math.isnan(evaluations) else f"{evaluations:.0f}, {_duration(taken)}"
+    return _NEVER if math.isnan(evaluations) else f"{_count(evaluations)}, {_duration(taken)}"
+
+
+def _count(evaluations: float) -> str:
+    """At most four characters up to 10^10 of them."""
+    if evaluations < 1e4:
+        return f"{evaluations:.0f}"
+    return f"{evaluations / 1e3:.0f}k" if evaluations < 1e6 else f"{evaluations / 1e6:.3g}M"
 
 
 def _duration(taken: float) -> str:
@@ -137,7 +143,8 @@ def _summary(found: WorkPrecision) -> str:
         judge = f"a run correct to {found.digits} digits, computed with {found.precision}"
     return (
         f"Largest error of any angle at {len(found.t)} times, compared with {judge} (its own "
-        f"error: {found.reference_error:.1e} rad).\nCost in evaluations and processor time; for "
+        f"error: {found.reference_error:.1e} rad).\nCost in evaluations of the equations of motion "
+        "and processor time; for "
         "the Taylor method each coefficient of its series is one evaluation."
     )
 

@@ -70,19 +70,23 @@ def words_of(event: Event) -> str:
 
 
 def found(run: Trajectory) -> str:
-    """A table of the crossings of each event; of very many the first, and how many there are."""
-    header, rows, more = ["event", "n", *_columns(run)], [], []
-    digits = digits_of(len(header) - 3)
+    """Each event with a table of its crossings; of very many the first, and how many there are."""
+    components = _engine.system_entries()[run.system.name].components
+    header = ["n", "t [s]", *(f"{row.name}\n[{row.unit}]" for row in components)]
+    digits = digits_of(len(components))
+    parts: list[str] = []
     for event, (times, states) in zip(run.request.events, run.events, strict=True):
+        rows = [
+            [str(i + 1), f"{times[i]:.10g}", *(f"{each:.{digits}g}" for each in state)]
+            for i, state in enumerate(states[:_SHOWN])
+        ]
+        count = f"{len(times)} time{'' if len(times) == 1 else 's'}" if rows else "none"
         name = words_of(event)
-        for i, state in enumerate(states[:_SHOWN]):
-            numbers = (f"{component:.{digits}g}" for component in state)
-            rows.append((name, str(i + 1), f"{times[i]:.10g}", *numbers))
+        parts.append(f"{name}: {count}")
+        parts += [table(header, rows)] if rows else []
         if len(times) > _SHOWN:
-            more.append(f"{name}: {_SHOWN} of {len(times)} shown; --events-file FILE writes all")
-        if not len(times):
-            rows.append((name, "none", *[""] * (len(header) - 2)))
-    return "\n".join([table(header, rows), *more])
+            parts.append(f"{_SHOWN} of {len(times)} shown; --events-file FILE writes all")
+    return "\n".join(parts)
 
 
 def check_events_file(given: dict[str, Any]) -> Path | None:
@@ -138,10 +142,8 @@ def _columns(run: Trajectory) -> list[str]:
 
 
 def _rod(words: list[str], text: str) -> int:
-    from pendula.run.events import MOST_RODS
-
     try:
-        return whole_number("the rod", int(words.pop(0)), MOST_RODS)
+        return int(words.pop(0))
     except (IndexError, ValueError):
         raise _misread(text) from None
 

@@ -68,4 +68,6 @@ command = one_each(
     systems_that(lambda can: can.closed_form),
     _options,
     _exact,
+    without="the {system} pendulum has no closed form; use pendula solve {system}, "
+    "with --digits 12 for guaranteed digits",
 )

@@ -24,6 +24,7 @@ from pendula.cli.pictures import file_and_picture
 from pendula.cli.progress import work_bar
 from pendula.cli.run import seconds
 from pendula.cli.stores import check_store_options, cluster, store_options, telling_how_to_resume
+from pendula.cli.tables import paragraph
 from pendula.systems import systems_that
 
 if TYPE_CHECKING:
@@ -33,6 +34,10 @@ if TYPE_CHECKING:
 
 _TURN, _SIZE = "-180deg:180deg", "500x500"
 _ANGLES = ("theta1", "theta2")
+_WITHOUT = (
+    "a map is made over the angles of two rods, which the {system} pendulum does not have; "
+    "use pendula map flip double, or pendula sweep for many starts of the {system} pendulum"
+)
 
 
 def _options(entry: SystemEntry) -> list[click.Parameter]:
@@ -122,7 +127,7 @@ def _compute(kind: str, entry: SystemEntry, given: dict[str, Any]) -> None:
         )
         write(found, None if store else out, picture, given)
         cells_found = summary(kind, found)
-    click.echo(f"{out}: {cells_found}" if out else cells_found)
+    click.echo(paragraph(f"{out}: {cells_found}" if out else cells_found))
     if picture:
         click.echo(picture)
 
@@ -203,7 +208,8 @@ def _command() -> ChoiceGroup:
     options = {"flip": _flip_options, "divergence": _divergence_options}
     for kind, help in helps.items():
         systems = systems_that(lambda can: can.mapped)
-        group.add_command(one_each(kind, help, systems, options[kind], partial(_map, kind)))
+        call = partial(_map, kind)
+        group.add_command(one_each(kind, help, systems, options[kind], call, without=_WITHOUT))
     return group
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import click
 
 from pendula import _engine
-from pendula.cli.tables import table
+from pendula.cli.tables import paragraph, table
 
 
 @click.command("methods")
@@ -16,10 +16,9 @@ def command() -> None:
         "order",
         "kind",
         "symplectic",
-        "dense output",
+        "dense\noutput",
+        "evals\nper step",
         "systems",
-        "evaluations/step",
-        "source",
     )
     rows = [
         (
@@ -28,10 +27,17 @@ def command() -> None:
             "adaptive" if each.adaptive else "fixed",
             "yes" if each.symplectic else "no",
             "yes" if each.adaptive else "no",
-            ",".join(each.systems),
             str(each.evaluations_per_step or "iterated"),
-            each.source,
+            _systems(each),
         )
         for each in _engine.methods()
     ]
     click.echo(table(header, rows))
+    click.echo("\nSources:")
+    for each in _engine.methods():
+        click.echo(paragraph(f"{each.name}: {each.source}"))
+
+
+def _systems(method: _engine.Method) -> str:
+    everyone = len(method.systems) == len(_engine.system_entries())
+    return "all" if everyone else ", ".join(method.systems)

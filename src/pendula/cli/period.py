@@ -82,4 +82,6 @@ command = one_each(
     systems_that(lambda can: can.period),
     _options,
     _period,
+    without="the {system} pendulum has no period as a function of amplitude; pendula solve "
+    "{system} gives its motion, normal_modes() in Python its small oscillations",
 )

@@ -138,7 +138,7 @@ def deliver(run: Trajectory, out: Path | None, *, force: bool, every_row: bool =
     import numpy as np
 
     from pendula.cli.events import found
-    from pendula.cli.tables import show, summary, times_of
+    from pendula.cli.tables import paragraph, show, summary, times_of
 
     with np.errstate(over="ignore", invalid="ignore"):  # of energies: the numbers show it
         if out is None:
@@ -146,6 +146,6 @@ def deliver(run: Trajectory, out: Path | None, *, force: bool, every_row: bool =
         else:
             run.save(out, overwrite=force)
         written = "" if out is None else f"{out}: {times_of(run)}; "
-        click.echo(f"{written}{summary(run)}")
+        click.echo(paragraph(f"{written}{summary(run)}"))
         if run.request.events:
             click.echo(f"\n{found(run)}")

@@ -49,10 +49,11 @@ def _options(entry: SystemEntry) -> list[click.Parameter]:
         value("t_max", "end time", required=True),
         click.Option(
             ["--method"],
-            type=click.Choice(names),
+            type=click.Choice(names, case_sensitive=False),
+            metavar="NAME",
             default=STANDARD_METHOD,
             show_default=True,
-            help="see `pendula methods`",
+            help=f"one of {', '.join(names)}: see `pendula methods`",
         ),
         value("every", "time between outputs [default: every step]"),
         *run_options(),

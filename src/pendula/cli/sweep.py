@@ -8,6 +8,7 @@ import click
 
 from pendula.cli.progress import work_bar
 from pendula.cli.stores import check_store_options, cluster, store_options, telling_how_to_resume
+from pendula.cli.tables import paragraph
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -49,7 +50,7 @@ def _compute(given: dict[str, Any]) -> None:
                 "not enough memory; take fewer rows a chunk in the recipe: [run] chunk"
             ) from None
         ends = _ends(found)
-    click.echo(f"{out}: {count} rows of {len(read.times)} times; {ends}")
+    click.echo(paragraph(f"{out}: {count} rows of {len(read.times)} times; {ends}"))
 
 
 def _ends(found: xr.Dataset) -> str:

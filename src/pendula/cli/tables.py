@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import shutil
 import sys
+import textwrap
 from typing import TYPE_CHECKING
 
 import click
@@ -18,21 +19,37 @@ if TYPE_CHECKING:
 
 _ROWS = 11  # of a run: ten intervals
 _ENOUGH_FOR_A_CURVE = 20
-_NARROWEST, _WIDEST = 30, 79  # characters of a curve with its margin
+_NARROWEST, _WIDEST = 30, 79  # characters of a curve with its margin, or of a line
 
 
 def table(header: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
-    """Aligned columns, two spaces apart; numbers are right-aligned."""
-    widths = [max(map(len, column)) for column in zip(header, *rows, strict=True)]
+    """Aligned columns, two spaces apart; numbers are right-aligned.
+
+    Names in the header may have two lines.
+    """
+    high = max(name.count("\n") for name in header)
+    names = [("\n" * (high - name.count("\n")) + name).split("\n") for name in header]
+    headers = list(zip(*names, strict=True))
+    widths = [max(map(len, column)) for column in zip(*headers, *rows, strict=True)]
     right = [all(_is_number(cell) for cell in column) for column in zip(*rows, strict=True)]
     lines = (
         "  ".join(
             cell.rjust(width) if to_right else cell.ljust(width)
             for cell, width, to_right in zip(row, widths, right, strict=True)
         ).rstrip()
-        for row in (header, *rows)
+        for row in (*headers, *rows)
     )
     return "\n".join(lines)
+
+
+def paragraph(text: str) -> str:
+    """Each line of a text in lines that 80 columns have room for, the further ones indented."""
+    return "\n".join(
+        textwrap.fill(
+            line, _WIDEST, subsequent_indent="  ", break_long_words=False, break_on_hyphens=False
+        )
+        for line in text.splitlines()
+    )
 
 
 def show(run: Trajectory, *, every_row: bool = False) -> None:
@@ -100,8 +117,8 @@ def _rows_of(run: Trajectory, chosen: Sequence[int]) -> str:
 
 
 def digits_of(columns: int) -> int:
-    """Significant digits of printed numbers: four columns of them fit into 80 characters."""
-    return 24 // columns + 1
+    """Significant digits of printed numbers: with signs and exponents 80 characters hold them."""
+    return 26 // columns
 
 
 def _chosen_rows(count: int, *, every_row: bool) -> list[int]:

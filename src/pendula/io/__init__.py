@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 from pendula._checks import MissingExtraError, installed, one_of
 from pendula._late_methods import method_of
@@ -17,6 +17,8 @@ from pendula.run.trajectory import Trajectory
 
 if TYPE_CHECKING:
     from os import PathLike
+
+    from pendula._types import MethodName
 
 __all__ = [
     "NotATrajectoryError",
@@ -92,7 +94,8 @@ def rerun(path: str | PathLike[str]) -> Trajectory:
     try:
         if old.method == "exact":
             return exact(old.system, asked.state, old.t, t0=asked.t0)
-        return solve(old.system, asked.state, asked.t, old.method, t0=asked.t0, **asked.options)
+        method = cast("MethodName", old.method)
+        return solve(old.system, asked.state, asked.t, method, t0=asked.t0, **asked.options)
     except ValueError as error:
         raise NotATrajectoryError(f"{source} cannot be run again: {one_line(error)}") from error
 
@@ -104,7 +107,7 @@ def _loaded(source: Path) -> tuple[Trajectory, dict[str, Any]]:
         raise FileNotFoundError(f"no such file: {source}")
     try:
         with read(source) as stored:
-            known = recipe_of(stored.recipe, source)
+            known = recipe_of(stored, source)
             table = Whole(known, stored, source).table()
         run = from_attributes(known, *table, source)
         if "checksum" not in known:

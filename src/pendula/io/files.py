@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import csv
 import math
 from collections.abc import Callable
 from contextlib import AbstractContextManager, contextmanager
@@ -12,19 +11,16 @@ from typing import TYPE_CHECKING, Any
 
 from pendula._attributes import KEY
 from pendula._checks import extra
-from pendula._messages import one_line
-from pendula.io.attributes import NotATrajectoryError, attributes
-from pendula.io.columns import labelled
+from pendula.io.attributes import attributes
+from pendula.io.csv_files import read_csv, write_csv
 from pendula.io.netcdf import read_netcdf, write_netcdf
-from pendula.io.tables import one_motion, to_pandas, to_xarray
+from pendula.io.tables import to_pandas, to_xarray
 from pendula.io.whole import Stored, damaged
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
     from pendula.run.trajectory import Trajectory
-
-MARK = f"# {KEY}: "  # before the attributes, in the first line of a CSV file
 
 
 def packages(ending: str) -> tuple[str, ...]:
@@ -35,46 +31,6 @@ def packages(ending: str) -> tuple[str, ...]:
         ".parquet": ("pandas", "pyarrow"),
         ".zarr": ("xarray", "zarr"),
     }[ending]
-
-
-def _write_csv(trajectory: Trajectory, path: Path) -> None:
-    one_motion(trajectory, "a .csv file")
-    table = labelled(trajectory)
-    with path.open("w", encoding="utf-8", newline="") as file:
-        file.write(f"{MARK}{attributes(trajectory)}\n")
-        writer = csv.writer(file, lineterminator="\n")
-        writer.writerow(table)
-        # float's own shortest decimal form: it gives the same bits back
-        writer.writerows(zip(*(values.tolist() for values in table.values()), strict=True))
-
-
-@contextmanager
-def _read_csv(path: Path) -> Iterator[Stored]:
-    import numpy as np
-
-    with path.open(encoding="utf-8", newline="") as file:
-        first = file.readline()
-        if not first.startswith(MARK):
-            raise NotATrajectoryError(
-                f"{path} was not written by pendula: its first line lacks {MARK!r}"
-            )
-        header, *rows = list(csv.reader(file)) or [[]]
-    if not header:
-        raise NotATrajectoryError(f"{path} is not whole: it has no header")
-    for number, row in enumerate(rows, start=1):
-        if len(row) != len(header):
-            what = f"row {number} has {len(row)} cells of {len(header)}"
-            raise NotATrajectoryError(f"{path} is not whole: {what}")
-    try:
-        cells = [[float(cell) for cell in row] for row in rows]
-    except ValueError as error:
-        raise NotATrajectoryError(
-            f"{path} holds something else than numbers: {one_line(error)}"
-        ) from None
-    values = np.array(cells, dtype=np.float64).reshape(len(rows), len(header))
-    table = dict(zip(header, values.T, strict=True))
-    shapes = dict.fromkeys(table, (len(rows),))
-    yield Stored(first[len(MARK) :], shapes, table.__getitem__, path.stat().st_size)
 
 
 def _write_parquet(trajectory: Trajectory, path: Path) -> None:
@@ -130,7 +86,7 @@ def _read_zarr(path: Path) -> Iterator[Stored]:
 FORMATS: dict[
     str, tuple[Callable[[Trajectory, Path], None], Callable[[Path], AbstractContextManager[Stored]]]
 ] = {
-    ".csv": (_write_csv, _read_csv),
+    ".csv": (write_csv, read_csv),
     ".nc": (write_netcdf, read_netcdf),
     ".parquet": (_write_parquet, _read_parquet),
     ".zarr": (_write_zarr, _read_zarr),

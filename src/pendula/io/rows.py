@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from pendula._checks import one_of
 from pendula._writing import refuse_existing, replacing
-from pendula.io.files import MARK
+from pendula.io.csv_files import MARK
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence

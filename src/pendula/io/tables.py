@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 from typing import TYPE_CHECKING
 
 from pendula._attributes import KEY
@@ -25,7 +26,7 @@ def one_motion(trajectory: Trajectory, what: str) -> None:
     """
     if trajectory.states.ndim != 2:
         raise ValueError(
-            f"{what} takes one motion, got {trajectory.states.shape[0]}; "
+            f"{what} takes one motion, got {math.prod(trajectory.states.shape[:-2])}; "
             "use to_xarray, save as .nc or .zarr, or save them one by one"
         )
 
@@ -41,12 +42,17 @@ def to_pandas(trajectory: Trajectory) -> pd.DataFrame:
 
 @method_of(Trajectory)
 def to_xarray(trajectory: Trajectory) -> xr.Dataset:
-    """A dataset over t (and trajectory, for several), units on each variable (extra: io).
+    """A dataset over t, units on each variable (extra: io).
+
+    For several motions also over trajectory; for a grid of them, from states (m1, m2, …, d), over
+    trajectory1, trajectory2 and so on.
 
     Its attribute "pendula" describes the run as JSON, from which `rerun` repeats the run.
     """
     xarray = extra("xarray", "io")
-    dims = ("t",) if trajectory.states.ndim == 2 else ("trajectory", "t")
+    axes = trajectory.states.ndim - 2
+    grid = ["trajectory"] if axes == 1 else [f"trajectory{i}" for i in range(1, axes + 1)]
+    dims = (*grid, "t")
     variables = {
         name: (dims, values, {"units": unit})
         for name, (unit, values) in columns(trajectory).items()

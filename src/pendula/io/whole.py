@@ -44,24 +44,28 @@ class Stored:
         shapes: of the columns, by label: "theta [rad]".
         column: reads one of them.
         size: of the file, or of all files of a folder [bytes].
+        hint: why numbers may not fit their checksums, to be added to the error; empty: unknown.
     """
 
     recipe: str
     shapes: Mapping[str, tuple[int, ...]]
     column: Callable[[str], Any]
     size: int
+    hint: Callable[[], str] = str
 
 
-def recipe_of(text: str, source: Path) -> dict[str, Any]:
+def recipe_of(stored: Stored, source: Path) -> dict[str, Any]:
     """A file's recipe, compared with its checksum; one without has no "checksum" either.
 
     Raises:
         NotATrajectoryError: where it is damaged, or none.
     """
     try:
-        known = json.loads(text)
+        known = json.loads(stored.recipe)
         checksum = known.pop("checksum", None)
         if checksum is not None:
+            if of_recipe(known) != checksum:
+                known = _with_doubles(known)  # a spreadsheet makes 0 of 0.0
             sound = of_recipe(known) == checksum
             known["checksum"] = checksum
         else:
@@ -77,8 +81,18 @@ def recipe_of(text: str, source: Path) -> dict[str, Any]:
             f"{source} does not hold a trajectory of pendula: its attributes lack {lacking!r}"
         )
     if not sound:
-        raise damaged(source, "its recipe does not fit the recipe's checksum")
+        what = "its recipe does not fit the recipe's checksum"
+        raise damaged(source, what + stored.hint())
     return dict(known)
+
+
+def _with_doubles(known: Any) -> Any:
+    """A recipe's data with doubles in all lists of numbers, as it was written."""
+    if isinstance(known, dict):
+        return {name: _with_doubles(each) for name, each in known.items()}
+    if isinstance(known, list):
+        return [float(each) if type(each) is int else _with_doubles(each) for each in known]
+    return known
 
 
 def warn_unchecked(known: Mapping[str, Any], source: Path) -> None:
@@ -169,7 +183,8 @@ class Whole:
 
     def _check_sum(self, label: str, values: Array) -> None:
         if label in self._checksums and of_column(values) != self._checksums[label]:
-            raise damaged(self._source, f"{label} does not fit its checksum")
+            what = f"{label} does not fit its checksum"
+            raise damaged(self._source, what + self._stored.hint())
 
     def _check_finite(self, label: str, values: Array) -> None:
         import numpy as np

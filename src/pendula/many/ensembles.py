@@ -17,6 +17,7 @@ from pendula._tables import html_table
 from pendula.many.tasks import Runs, Task, checked_threads, run_task
 from pendula.run.options import STANDARD_METHOD, checked_types, takes_options
 from pendula.run.request import checked_name, times_array
+from pendula.run.stiffness import warn_of_stiffness
 from pendula.run.trust import DigitsError, digits_states
 from pendula.systems import System, check_system
 
@@ -27,8 +28,11 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
     from pendula._progress import AskedProgress, Progress
-    from pendula._types import Array
+    from pendula._types import Array, MethodName
     from pendula.run.options import RunOptions
+
+
+_LOOKED_AT = 1000  # systems whose frequencies are compared, in some 20 ms
 
 
 @dataclass(frozen=True, eq=False, repr=False, kw_only=True)
@@ -42,7 +46,7 @@ class Ensemble(Runs):
     """
 
     systems: System | tuple[System, ...]
-    method: str
+    method: MethodName
     t: Array
 
     def __len__(self) -> int:
@@ -95,7 +99,7 @@ def ensemble(
     system: System | Sequence[System],
     states: ArrayLike,
     t: ArrayLike,
-    method: str = STANDARD_METHOD,
+    method: MethodName = STANDARD_METHOD,
     *,
     t0: float = 0.0,
     threads: int | None = None,
@@ -134,6 +138,7 @@ def ensemble(
     angles = starts[:, : systems[0].can.degrees_of_freedom]
     warn_of_degrees("states", states, angles)
     task = _checked_task(systems, starts, t, method, t0, options)
+    warn_of_stiffness(systems[:_LOOKED_AT], abs(float(task.t[-1]) - task.t0))
     count = checked_threads(threads)
     if task.digits is None:
         found = run_task(task, parameters, starts, count, report)

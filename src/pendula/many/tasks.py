@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from pendula._progress import Progress
-    from pendula._types import Array
+    from pendula._types import Array, MethodName
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -34,7 +34,7 @@ class Task(Options):
 
     system: str
     form: str
-    method: str
+    method: MethodName
     t0: float = 0.0
     t: Array
 

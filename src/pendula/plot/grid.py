@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from dataclasses import dataclass
 from fractions import Fraction
+from os import PathLike
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -52,6 +54,23 @@ class Grid:
         """Centres with the outer edges at both ends."""
         left, right, low, high = self.extent
         return np.r_[left, self.x, right], np.r_[low, self.y, high]
+
+
+def check_dataset(given: object, caller: str) -> None:
+    """Refuse what is no dataset at all.
+
+    Raises:
+        ValueError: with what there is for it.
+    """
+    if isinstance(given, Mapping) and hasattr(given, "attrs"):
+        return
+    way_out = "draw a run with its own plot()"
+    if isinstance(given, str | PathLike):
+        way_out = "open the file first, with xarray.open_dataset or xarray.open_zarr"
+    elif not hasattr(given, "plot"):
+        way_out = f"give what pendula.{caller} returned"
+    rule = f"must be a dataset of pendula.{caller}, got {{value}}"
+    raise ArgumentError("dataset", rule, way_out, value=given)
 
 
 def picked(

@@ -8,7 +8,7 @@ import numpy as np
 
 from pendula._checks import number_pair, one_of
 from pendula._messages import ArgumentError
-from pendula.plot.grid import picked
+from pendula.plot.grid import check_dataset, picked
 from pendula.plot.labels import labels
 from pendula.plot.map_drawing import (
     FORBIDDEN,
@@ -104,6 +104,7 @@ def flip_map(
     Raises:
         ValueError: for a dataset that is no flip map, or is not finished, or an unknown option.
     """
+    check_dataset(dataset, "flip_map")
     words, colours = labels(language), palette(colormap)
     one_of("ticks", ticks, ("degrees", "pi"))
     one_of("unresolved", unresolved, ("pale", "shown"))
@@ -174,6 +175,7 @@ def divergence_map(
     """
     from matplotlib.colors import Normalize
 
+    check_dataset(dataset, "divergence_map")
     words, colours = labels(language), palette(colormap)
     one_of("ticks", ticks, ("degrees", "pi"))
     grid, cells = picked(dataset, ("growth",), "divergence_map")

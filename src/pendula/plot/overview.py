@@ -63,12 +63,10 @@ def trajectory(trajectory: Trajectory, *, ax: Any = None, language: str = "en") 
         A figure, which a notebook shows, for `.savefig(path)`; or the axes given.
 
     Raises:
-        ValueError: for several trajectories at once, other axes, or an unknown language.
+        ValueError: for several trajectories at once, one without outputs, anything else, other
+            axes, or an unknown language.
     """
-    if trajectory.states.ndim != 2:
-        raise ValueError(
-            f"one trajectory at a time can be drawn, not states of shape {trajectory.states.shape}"
-        )
+    _check(trajectory)
     words = labels(language)
     if ax is not None:
         _into(_axes(ax), trajectory, words)
@@ -109,6 +107,23 @@ def _into(axes: list[Axes], run: Trajectory, words: Labels) -> None:
         draw(ax, run, words)
     if len(axes) == 1:
         axes[0].set_xlabel(words.axis["time"])
+
+
+def _check(given: object) -> None:
+    """Refuse what cannot be drawn as one run."""
+    name = "trajectory"
+    if not isinstance(given, Trajectory):
+        rule, way_out = "must be what solve or exact returned, got {value}", ""
+        if hasattr(given, "data_vars"):
+            way_out = "draw maps with plot.flip_map or plot.divergence_map"
+        raise ArgumentError(name, rule, way_out, value=given)
+    if given.states.ndim != 2:
+        rule, way_out = "must be one motion, got states of shape {value}", "draw them one by one"
+        raise ArgumentError(name, rule, way_out, value=given.states.shape)
+    if not given.t.size:
+        rule = "has no outputs to draw: the run ended as {value} before the first of them"
+        way_out = "ask for earlier times, or more steps"
+        raise ArgumentError(name, rule, way_out, value=given.outcome)
 
 
 def _angles(ax: Axes, run: Trajectory, words: Labels) -> None:

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from pendula._messages import ArgumentError
 from pendula.plot.labels import Labels, labels
 from pendula.plot.style import MARKERS, line, logarithmic, panels, styled
 
@@ -47,6 +48,9 @@ def work_precision(
         against: "evaluations", "seconds" or both.
         language: "en" or "es".
     """
+    if not isinstance(cases, Sequence) or not all(hasattr(each, "methods") for each in cases):
+        rule = "must be a list of what pendula.analysis.work_precision returned, got {value}"
+        raise ArgumentError("cases", rule, value=cases)
     words = labels(language)
     side_by_side = len(against) == 1
     rows, columns = (1, len(cases)) if side_by_side else (len(cases), len(against))

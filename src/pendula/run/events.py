@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import operator
 from dataclasses import asdict, dataclass
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -165,8 +166,21 @@ def crossings_of(found: Iterable[_engine.Crossings], dimension: int) -> tuple[Cr
 def _event(
     kind: str, i: int, value: float, direction: int, terminal: bool | int, every_turn: bool
 ) -> Event:
-    index = whole_number("i", i, MOST_RODS)
+    index = _rod(i)
     return Event(kind, index, value, bool(every_turn), _direction(direction), _terminal(terminal))
+
+
+def _rod(i: object) -> int:
+    """The number of a rod, from 1."""
+    numbers = range(1, MOST_RODS + 1)
+    try:
+        rod = 0 if isinstance(i, bool) else operator.index(i)  # type: ignore[arg-type]
+    except TypeError:
+        rod = 0
+    if rod not in numbers:
+        rule = "must be {any_of}, counted from the pivot (a simple pendulum has rod 1); got {value}"
+        raise ArgumentError("i", rule, any_of=list(numbers), value=i)
+    return rod
 
 
 def _direction(direction: object) -> int:

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any, TypedDict, cast
 
 from pendula import _engine
 from pendula._checks import number, whole_number
+from pendula._messages import meant
 from pendula.run.events import Event, checked_events, described, event_from
 
 if TYPE_CHECKING:
@@ -35,7 +36,7 @@ class Options:
 
     Attributes:
         step: of a fixed-step method [s].
-        tolerance: of an adaptive method; None: its best.
+        tolerance: of an adaptive method; None: machine precision.
         max_steps: most steps allowed; None: no limit.
         certify: angle by which the run may be off up to its trust horizon [rad].
         digits: that are right at every output time.
@@ -91,7 +92,9 @@ def checked_types(
     """
     for name in given:
         if name not in taken:
-            raise TypeError(f"{function}() got an unexpected keyword argument {name!r}")
+            hint = meant(name, taken)
+            told = f"{function}() got an unexpected keyword argument {name!r}"
+            raise TypeError(f"{told}; {hint}" if hint else told)
     return {
         **{
             row.name: _number_of(row, given[row.name])

@@ -3,18 +3,18 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 from pendula import _engine
 from pendula._checks import finite_array, finite_number, states_array
-from pendula._messages import ArgumentError
+from pendula._messages import ArgumentError, meant
 from pendula._rules import broken, refuse
 from pendula.run.options import BEST_TOLERANCE, Options, checked_types
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
-    from pendula._types import Array
+    from pendula._types import Array, MethodName
     from pendula.systems import System
 
 
@@ -84,32 +84,56 @@ def request_of(
         TypeError: for an option that there is none of.
         ValueError: for an argument out of range, or two that exclude one another.
     """
-    start = checked_state(state, system)
+    start = checked_state(state, system, "for many use <call=ensemble>(system, states, t, …)")
     origin = finite_number("t0", t0, "s")
     times = times_array(t)
     wanted = float(times) if times.ndim == 0 else times
     asked = Request(state=start, t=wanted, t0=origin, **checked_types(given, "solve"))
     name = checked_name(method)
+    if asked.digits is None:  # which have a range of their own
+        check_angles(system, start)
     refuse(_engine.check(asked.for_core(system, name)))
     chooses = _engine.method_named(name).adaptive and asked.digits is None
     return replace(asked, tolerance=asked.tolerance or BEST_TOLERANCE) if chooses else asked
 
 
-def checked_name(method: object, argument: str = "method") -> str:
-    """The name of a method, if it is a name at all; the core knows which there are."""
-    if not isinstance(method, str):
-        names = [each.name for each in _engine.methods()]
-        raise broken(argument, "unknown_name", choices=names, value=method)
-    return method
+def checked_name(method: object, argument: str = "method") -> MethodName:
+    """The name of a method as the catalogue writes it; upper and lower case are the same."""
+    names = [each.name for each in _engine.methods()]
+    name = method.lower() if isinstance(method, str) else ""
+    if name not in names:
+        raise broken(
+            argument, "unknown_name", way_out=meant(name, names), choices=names, value=method
+        )
+    return cast("MethodName", str(name))
 
 
-def checked_state(state: ArrayLike, system: System) -> Array:
-    """One state of the system, (d,)."""
+def check_angles(system: System, start: Array) -> None:
+    """Refuse a start whose angles the sine does not take, before a run that could not begin.
+
+    Raises:
+        ValueError: naming the angle.
+    """
+    angles = start[: system.can.degrees_of_freedom]
+    largest = float(angles[abs(angles).argmax()])
+    if system.can.periodic and abs(largest) >= _engine.LARGEST_ANGLE:
+        raise ArgumentError(
+            "state",
+            "must have angles below 2^26 rad = {most} rad, got {value}",
+            "take whole turns off: the motion is the same",
+            most=round(_engine.LARGEST_ANGLE),
+            value=largest,
+        )
+
+
+def checked_state(state: ArrayLike, system: System, many: str = "") -> Array:
+    """One state of the system, (d,); `many` says what there is for several."""
     start = states_array(state, system.component_units)
     if start.ndim != 1:
         raise ArgumentError(
             "state",
-            "must be one state of shape {wanted}, got {value}",
+            "must be one state of shape {wanted}, got shape {value}",
+            many,
             wanted=(start.shape[-1],),
             value=start.shape,
         )

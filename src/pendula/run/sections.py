@@ -8,19 +8,23 @@ from typing import TYPE_CHECKING
 
 from pendula import _engine
 from pendula._angles import warn_of_degrees
-from pendula._checks import finite_number, whole_number
+from pendula._checks import check_progress, finite_number, whole_number
 from pendula._messages import ArgumentError
 from pendula._rules import refuse
 from pendula.run.events import Crossings, Event, checked_events, crossings_of
 from pendula.run.options import checked_types, takes_options
-from pendula.run.request import Request, checked_state
+from pendula.run.reach import check_reachable
+from pendula.run.request import Request, check_angles, checked_state
 from pendula.systems import System, check_system
 
 if TYPE_CHECKING:
-    from typing import Unpack
+    from collections.abc import Mapping
+    from typing import Any, Unpack
 
     from numpy.typing import ArrayLike
 
+    from pendula._progress import Progress
+    from pendula._types import Array
     from pendula.run.options import RunOptions
 
 _MOST_CROSSINGS = 10**8  # 4 GB
@@ -36,9 +40,12 @@ def poincare_section(
     n: int,
     *,
     t0: float = 0.0,
+    progress: Progress = None,
     **options: Unpack[RunOptions],
 ) -> Crossings:
     """The first n crossings of a surface by the motion from a state, with the Taylor method.
+
+    A surface that the motion cannot reach with its energy is refused before the run.
 
     Args:
         system: a pendulum.
@@ -46,6 +53,7 @@ def poincare_section(
         event: the surface, such as angle(1, 0.0, direction=1, every_turn=True).
         n: how many crossings.
         t0: time of the state [s].
+        progress: called with the part of the crossings that is found, 0 to 1.
         **options: see `RunOptions`.
 
     Returns:
@@ -54,27 +62,17 @@ def poincare_section(
     Raises:
         ValueError: for an argument out of range, or where the motion does not cross so often.
     """
-    import numpy as np
-
     check_system(system)
-    surfaces = checked_events(event, "event")
-    if len(surfaces) != 1:
-        raise ArgumentError("event", "must be one event, got {value} of them", value=len(surfaces))
-    count, start = whole_number("n", n, _MOST_CROSSINGS), checked_state(state, system)
+    check_progress(progress)
+    count, surface = whole_number("n", n, _MOST_CROSSINGS), _surface(event)
+    start = checked_state(state, system, "call poincare_section for each")
+    check_angles(system, start)
     warn_of_degrees("state", state, start[: system.can.degrees_of_freedom])
-    asked = Request(
-        state=start,
-        t=np.array([math.inf]),  # no outputs
-        t0=finite_number("t0", t0, "s"),
-        **{
-            "max_steps": _MOST_STEPS,
-            **checked_types(options, "poincare_section", _OPTIONS),
-            "events": (replace(surfaces[0], terminal=count),),
-        },
-    )
-    result = _engine.solve(asked.for_core(system, "taylor"), None)
-    refuse(result.refused, digits=False)
-    (found,) = crossings_of(result.events, asked.state.size)
+    asked = _asked(start, t0, replace(surface, terminal=count), options).for_core(system, "taylor")
+    refuse(_engine.check(asked), digits=False)
+    check_reachable(system, start, surface, count)
+    result = _engine.solve(asked, progress)
+    (found,) = crossings_of(result.events, start.size)
     if len(found.times) < count:
         raise ArgumentError(
             "n",
@@ -84,3 +82,27 @@ def poincare_section(
             text=f"{len(found.times)} of {count}",
         )
     return found
+
+
+def _surface(event: object) -> Event:
+    """The one event."""
+    surfaces = checked_events(event, "event")
+    if len(surfaces) != 1:
+        raise ArgumentError("event", "must be one event, got {value} of them", value=len(surfaces))
+    return surfaces[0]
+
+
+def _asked(start: Array, t0: float, surface: Event, options: Mapping[str, Any]) -> Request:
+    """A run without outputs or an end, but for the crossings."""
+    import numpy as np
+
+    return Request(
+        state=start,
+        t=np.array([math.inf]),
+        t0=finite_number("t0", t0, "s"),
+        **{
+            "max_steps": _MOST_STEPS,
+            **checked_types(options, "poincare_section", _OPTIONS),
+            "events": (surface,),
+        },
+    )

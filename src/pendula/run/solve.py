@@ -11,7 +11,8 @@ from pendula._checks import checked_progress
 from pendula._progress import with_bar
 from pendula.run.events import crossings_of
 from pendula.run.options import BEST_TOLERANCE, STANDARD_METHOD, takes_options
-from pendula.run.request import Request, request_of
+from pendula.run.request import Request, checked_name, request_of
+from pendula.run.stiffness import warn_of_stiffness
 from pendula.run.trajectory import Trajectory
 from pendula.systems import System, check_system
 
@@ -21,6 +22,7 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
     from pendula._progress import AskedProgress, Progress
+    from pendula._types import MethodName
     from pendula.run.options import RunOptions
 
 
@@ -35,7 +37,7 @@ def solve(
     system: System,
     state: ArrayLike,
     t: ArrayLike,
-    method: str = STANDARD_METHOD,
+    method: MethodName = STANDARD_METHOD,
     *,
     t0: float = 0.0,
     progress: AskedProgress = None,
@@ -65,13 +67,13 @@ def solve(
     """
     check_system(system)
     report: Progress = checked_progress(progress)
-    asked = request_of(system, state, t, method, t0, **options)
+    name = checked_name(method)
+    asked = request_of(system, state, t, name, t0, **options)
     warn_of_degrees("state", state, asked.state[: system.can.degrees_of_freedom])
+    warn_of_stiffness([system], abs(asked.end - asked.t0))
     if asked.digits is not None:
         return _solve_digits(system, asked, report)
-    return trajectory_of(
-        system, method, asked, _engine.solve(asked.for_core(system, method), report)
-    )
+    return trajectory_of(system, name, asked, _engine.solve(asked.for_core(system, name), report))
 
 
 def trajectory_of(

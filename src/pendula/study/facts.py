@@ -192,7 +192,7 @@ def _end(run: Trajectory, numbers: Numbers) -> str | None:
 
 def _orders(results: Results, words: Labels, numbers: Numbers) -> dict[str, Any]:
     part, recipe = results.orders, results.recipe.convergence
-    theory = {each.name: each.order for each in methods()}
+    theory: dict[str, int] = {each.name: each.order for each in methods()}
     rows = [
         [words.name(name), str(theory[name])]
         + [numbers.fixed(case[name][1].order, 3) for case in part.cases.values()]

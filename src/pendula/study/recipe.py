@@ -13,16 +13,17 @@ from pendula.study.checks import check
 from pendula.study.schema import SECTIONS, Recipe, Rule
 
 if TYPE_CHECKING:
-    from pathlib import Path
+    from pendula._recipe_file import RecipeSource
 
     Tree = dict[str, dict[str, Any]]
 
 
-def read_recipe(path: Path | None) -> Recipe:
+def read_recipe(path: RecipeSource | None) -> Recipe:
     """The recipe in a file, or the study's own.
 
     Args:
-        path: a TOML file; what it leaves out is taken from the study's own recipe.
+        path: a TOML file, or a dict of its tables; what it leaves out is taken from the study's
+            own recipe.
 
     Raises:
         ValueError: for a broken recipe: one line naming file, line, key, rule and value.
@@ -39,8 +40,8 @@ def read_recipe(path: Path | None) -> Recipe:
 class _Reader:
     """One recipe file over the default one."""
 
-    def __init__(self, path: Path | None, default: Tree) -> None:
-        self._file = RecipeFile.read(path) if path else RecipeFile("default.toml", "")
+    def __init__(self, path: RecipeSource | None, default: Tree) -> None:
+        self._file = RecipeFile("default.toml", "") if path is None else RecipeFile.read(path)
         self._default = default
         self._file.check_tables(SECTIONS)
         self._file.check_keys(default)

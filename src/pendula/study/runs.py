@@ -32,13 +32,13 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
-    from pendula._types import Array
+    from pendula._types import Array, MethodName
     from pendula.analysis import WorkPrecision
     from pendula.run.trajectory import Trajectory
     from pendula.study.schema import Convergence, Double, Elliptic, LinearModel, Period, Recipe
 
 
-METHODS = ("euler", "heun", "rk4")
+METHODS: tuple[MethodName, ...] = ("euler", "heun", "rk4")
 
 # Repetitions of the double pendulum's reference: masses times, step times. Heavier rods move just
 # the same, but every rounding is another one; one repetition alone may agree by chance.
@@ -188,7 +188,7 @@ def double_pendulum(part: Double) -> tuple[DoublePendulum, tuple[float, float, f
 def _comparison(
     system: System, state: tuple[float, ...], reference: Trajectory, step: float
 ) -> Comparison:
-    runs = {m: solve(system, state, reference.t, m, step=step) for m in METHODS}
+    runs = {str(m): solve(system, state, reference.t, m, step=step) for m in METHODS}
     differences = {m: angle_difference(run, reference) for m, run in runs.items()}
     energies = {m: largest_energy_errors(run) for m, run in runs.items()}
     return Comparison(system, reference, runs, differences, energies)
@@ -284,11 +284,11 @@ def _orders(
 def _errors(
     system: System, state: tuple[float, ...], truth: Trajectory, steps: Array
 ) -> dict[str, tuple[Array, ConvergenceOrder]]:
-    def largest(method: str, step: float) -> float:
+    def largest(method: MethodName, step: float) -> float:
         run = solve(system, state, truth.t, method, step=step)
         return float(np.max(angle_difference(run, truth)))
 
-    result = {}
+    result: dict[str, tuple[Array, ConvergenceOrder]] = {}
     for method in METHODS:
         errors = np.array([largest(method, float(step)) for step in steps])
         result[method] = (errors, convergence_order(steps, errors))

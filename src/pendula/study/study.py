@@ -17,8 +17,10 @@ from pendula.study.recipe import read_recipe
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
+    from os import PathLike
 
     from pendula._progress import StepProgress
+    from pendula._recipe_file import RecipeSource
     from pendula.study.schema import Recipe
 
 KINDS = ("pdf", "png")  # of figures, besides SVG
@@ -32,8 +34,8 @@ _RUNS, _DATA, _FIGURES, _REPORT = 0.0, 0.25, 0.28, 0.9
 
 @with_bar("study")
 def run_study(
-    recipe_path: Path | None,
-    out: Path,
+    recipe_path: RecipeSource | None,
+    out: str | PathLike[str],
     language: str = "en",
     *,
     figures: str | Sequence[str] = (),
@@ -46,7 +48,8 @@ def run_study(
     from which the same numbers come again bit for bit. Nothing stands at `out` before all is done.
 
     Args:
-        recipe_path: a TOML file naming what differs from the study's own recipe; None: nothing.
+        recipe_path: a TOML file, or a dict of its tables, naming what differs from the study's own
+            recipe; None: nothing.
         out: the folder to make.
         language: of the report, "en" or "es".
         figures: kinds to write each figure as besides SVG: "pdf", "png" or both.

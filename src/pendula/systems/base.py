@@ -90,6 +90,11 @@ class System:
         """Of the fastest small oscillation [rad/s]."""
         return self.largest_frequency
 
+    @property
+    def slowest_frequency(self) -> float:
+        """Of the slowest small oscillation [rad/s]."""
+        return self.fastest_frequency
+
     def rhs(self, states: ArrayLike, t: float = 0.0) -> Array:
         """Time derivatives (..., d) of states (..., d) at time t [rad/s, rad/s²]."""
         at = finite_number("t", t, "s")
@@ -214,7 +219,7 @@ def with_closed_form(system: object) -> ClosedForm:
         raise ArgumentError(
             "system",
             "must be a {any_of}, got {value}: no closed form is known",
-            "use <call=solve>",
+            "use <call=solve>, with <digits=12> for guaranteed digits",
             any_of=class_names_that(lambda can: can.closed_form),
             value=system,
         )
@@ -229,5 +234,7 @@ def check_system(system: object) -> System:
     """
     if not isinstance(system, System):
         rule = "must be a pendulum such as SimplePendulum(length=1.0), got {value}"
-        raise ArgumentError("system", rule, value=system)
+        made = isinstance(system, type) and issubclass(system, System)
+        way_out = "make one of the class, with its parameters in brackets" if made else ""
+        raise ArgumentError("system", rule, way_out, value=system)
     return system

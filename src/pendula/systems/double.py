@@ -25,7 +25,7 @@ class NormalModes:
     shapes: tuple[tuple[float, float], tuple[float, float]]
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, init=False)
 class DoublePendulum(System):
     """The planar double pendulum; make one with `rods`, `bobs` or `bodies`.
 
@@ -36,6 +36,15 @@ class DoublePendulum(System):
     form: str
     values: tuple[float, ...]
     name: ClassVar[str] = "double"
+
+    def __init__(self, form: str = "", values: tuple[float, ...] = (), **others: object) -> None:
+        entry = _engine.system_entries()[self.name]
+        if others or not isinstance(form, str) or not form:
+            made = ", ".join(f".{each.name}(…) of {each.meaning}" for each in entry.forms)
+            raise ArgumentError("", "DoublePendulum is made by one of {text}", text=made)
+        object.__setattr__(self, "form", form)
+        object.__setattr__(self, "values", values)
+        self.__post_init__()
 
     def __post_init__(self) -> None:
         forms = tuple(each.name for each in _engine.system_entries()[self.name].forms)
@@ -131,6 +140,11 @@ class DoublePendulum(System):
     def fastest_frequency(self) -> float:
         """Of the fast mode of small oscillations [rad/s]."""
         return self.normal_modes().frequencies[1]
+
+    @property
+    def slowest_frequency(self) -> float:
+        """Of the slow mode of small oscillations [rad/s]."""
+        return self.normal_modes().frequencies[0]
 
     def normal_modes(self) -> NormalModes:
         """Frequencies and shapes of small oscillations.

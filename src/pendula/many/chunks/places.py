@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 import errno
-import fcntl
 import os
 import shutil
-from contextlib import contextmanager, suppress
+from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Protocol
 
@@ -19,13 +18,13 @@ from pendula._writing import (
     sync_folder,
     write_durably,
 )
+from pendula.many.chunks.folder_lock import FolderLock
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
 _FILES = (".nc", ".h5", ".parquet", ".csv")  # endings of what is no store
 _FULL = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG)
-_NO_LOCKS = (errno.EBADF, errno.ENOLCK, errno.ENOSYS, errno.EOPNOTSUPP)  # of some network disks
 
 
 class Place(Protocol):
@@ -142,17 +141,11 @@ class Folder:
         self._check_place()
         try:
             make_folder(self.path)
-            handle = os.open(self.path, os.O_RDONLY | os.O_DIRECTORY)
+            lock = FolderLock(self.path)
         except OSError as error:
             raise _cannot_write(self.path, error) from error
-        try:
-            _lock(handle, self.path)
-            try:
-                yield
-            finally:
-                _unlock(handle)
-        finally:
-            os.close(handle)
+        with lock:
+            yield
 
     def _check_place(self) -> None:
         check_folder(self.path)
@@ -216,25 +209,6 @@ class Remote:
                 yield entry["name"].rpartition("/")[2], entry["size"] or 0
         except FileNotFoundError:
             return
-
-
-def _lock(handle: int, path: Path) -> None:
-    """Lock an open folder, where its file system has locks."""
-    try:
-        fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
-    except BlockingIOError:
-        raise BlockingIOError(
-            f"another process is writing {path}; wait for it, or choose another name"
-        ) from None
-    except OSError as error:
-        if error.errno not in _NO_LOCKS:
-            raise
-
-
-def _unlock(handle: int) -> None:
-    """Closing alone is not enough: a process that was just forked holds the folder too."""
-    with suppress(OSError):
-        fcntl.flock(handle, fcntl.LOCK_UN)
 
 
 def _cannot_write(target: Path | str, error: OSError) -> OSError:

@@ -45,7 +45,7 @@ def run(
         progress: called with the part of the work that is done, 0 to 1; True: a bar, in a
             notebook or a terminal.
         threads: for each chunk. None: all cores here, one on a worker.
-        resume: go on with an existing store; else it is refused.
+        resume: resume an existing store; else it is refused.
         overwrite: empty an existing store, whatever it holds, and start again.
 
     Returns:

@@ -127,7 +127,7 @@ class Store:
                 Message(
                     "",
                     "{path} exists",
-                    "pass <resume=True> to go on with it, <overwrite=True> to start again, or "
+                    "pass <resume=True> to resume it, <overwrite=True> to overwrite it, or "
                     "choose another name",
                     path=place,
                 )

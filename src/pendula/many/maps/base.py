@@ -16,6 +16,7 @@ from pendula.many.maps.cells import Cells, checked_cells
 from pendula.many.tasks import Runs, Task, checked_threads, run_task
 from pendula.run.options import BEST_TOLERANCE
 from pendula.run.request import Request
+from pendula.run.stiffness import warn_of_stiffness
 from pendula.systems import System, check_system, class_names_that
 
 if TYPE_CHECKING:
@@ -102,6 +103,7 @@ def checked_map(
     cells = checked_cells(theta1, theta2, shape)
     end = positive_number("t_max", t_max, "s")
     checked_tolerance(one, end, None)
+    warn_of_stiffness([one], end)
     return one, cells, end
 
 

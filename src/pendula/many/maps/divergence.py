@@ -59,7 +59,7 @@ def divergence_map(
         shape: cells along each.
         t_max: the time after which they are compared [s].
         separation: of the neighbours at the start [rad].
-        tolerance: of the Taylor method; None: its best.
+        tolerance: of the Taylor method; None: machine precision.
         store: as for `flip_map`.
         client: as for `flip_map`.
         threads: as for `flip_map`.

@@ -75,8 +75,8 @@ def flip_map(
         threads: None: one for each processor.
         progress: called with the part that is done, 0 to 1; True: a bar, in a notebook or a
             terminal.
-        resume: go on with a store that is there; else it is refused.
-        overwrite: replace it.
+        resume: resume an existing store; else it is refused.
+        overwrite: overwrite it.
 
     Returns:
         Dims (theta1, theta2), coordinates the centres of the cells. `flip_time` [s], NaN where none

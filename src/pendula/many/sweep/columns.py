@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from pendula._messages import meant
 from pendula._recipe_file import as_toml
 from pendula.many.sampling import (
     KINDS,
@@ -80,6 +81,10 @@ class Columns:
             raise self._wrong(section, row, rule, raw)
         if len(raw) != 1 or next(iter(raw)) not in _NAMES:
             rule = f"must be a table of one key, of {', '.join(_NAMES)}"
+            hint = meant(next(iter(raw)), _NAMES) if len(raw) == 1 else ""
+            if hint:
+                message = f"{section}.{row.name} {rule}, got {as_toml(raw)}; {hint}"
+                raise self._file.blame(section, (row.name,), message)
             raise self._wrong(section, row, rule, raw)
         ((kind, value),) = raw.items()
         if kind == "same_as":

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from itertools import product
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -17,12 +16,12 @@ from pendula.many.sweep.columns import Columns
 from pendula.many.sweep.recipe import SweepRecipe
 from pendula.run.options import BEST_TOLERANCE, ROWS, STANDARD_METHOD, checked_types
 from pendula.run.request import Request, checked_name
+from pendula.run.stiffness import warn_of_stiffness
 from pendula.systems import System, system_from
 
 if TYPE_CHECKING:
-    from os import PathLike
-
     from pendula._engine import Form, OptionRow, SystemEntry
+    from pendula._recipe_file import RecipeSource
 
 MOST_CHUNKS = 10**6
 MOST_OUTPUTS = 10**7  # states of a chunk: 320 MB for the double pendulum
@@ -31,8 +30,8 @@ _OPTIONS = ("step", "tolerance", "max_steps", "certify")  # of each run
 _RUN = ("method", "t_max", "every", *_OPTIONS, "draws", "seed", "chunk")
 
 
-def read_sweep(path: str | PathLike[str]) -> SweepRecipe:
-    """The recipe in a file.
+def read_sweep(recipe: RecipeSource) -> SweepRecipe:
+    """The recipe in a file, or in a dict of its tables.
 
     A parameter or a component of the start is a quantity, or a table of one key: `uniform` or
     `log_uniform` of two ends, `choice` of a list, all random; `grid` of two ends and a count or
@@ -41,13 +40,14 @@ def read_sweep(path: str | PathLike[str]) -> SweepRecipe:
     leave out is as `pendula solve` takes it.
 
     Args:
-        path: a TOML file with tables [system], [state] and [run].
+        recipe: a TOML file with tables [system], [state] and [run]; or a dict of them, as `tomllib`
+            reads it: {"system": {"kind": "simple"}, "run": {"t_max": "10 s"}}.
 
     Raises:
         ValueError: for a broken recipe: one line naming file, line, key, rule and value.
         OSError: if the file cannot be read.
     """
-    file = RecipeFile.read(Path(path))
+    file = RecipeFile.read(recipe)
     file.check_tables(("system", "state", "run"))
     entry, form = _kind(file)
     parameters = [row.name for row in form.parameters]
@@ -58,11 +58,11 @@ def read_sweep(path: str | PathLike[str]) -> SweepRecipe:
     first = columns.parameters(form)
     run = _Run(file, _systems(file, entry, form, first))
     sampler = run.sampler((*first, *columns.components(entry.components)))
-    recipe = SweepRecipe(
+    made = SweepRecipe(
         system=entry.name, form=form.name, sampler=sampler, **run.options(), chunk=run.chunk()
     )
-    _check_size(file, recipe)
-    return recipe
+    _check_size(file, made)
+    return made
 
 
 def _kind(file: RecipeFile) -> tuple[SystemEntry, Form]:
@@ -137,6 +137,7 @@ class _Run:
                     state=np.zeros(len(system.components)), t=np.array([t_max]), **options
                 )
                 refuse(_engine.check(asked.for_core(system, method)), digits=False, t="t_max")
+        warn_of_stiffness(self._systems, t_max)
         if _engine.method_named(method).adaptive and options.get("tolerance") is None:
             options["tolerance"] = BEST_TOLERANCE
         return {"method": method, "t_max": t_max, "every": every, **options}

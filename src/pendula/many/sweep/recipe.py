@@ -15,7 +15,7 @@ from pendula.run.options import NAMES as OPTIONS
 from pendula.run.options import Options, options_from
 
 if TYPE_CHECKING:
-    from pendula._types import Array
+    from pendula._types import Array, MethodName
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -36,7 +36,7 @@ class SweepRecipe(Options):
     system: str
     form: str
     sampler: Sampler
-    method: str
+    method: MethodName
     t_max: float
     every: float | None
     chunk: int

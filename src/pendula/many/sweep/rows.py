@@ -113,7 +113,7 @@ def _variables(recipe: SweepRecipe) -> Iterator[Variable]:
         yield _number(each.name, all_times, each.unit, each.meaning)
     yield _number("energy", all_times, "J", "total energy, zero at rest at the lowest point")
     if recipe.certify is not None:
-        meaning = f"until when every angle is right to {recipe.certify:g} rad; inf: throughout"
+        meaning = f"until when every angle is accurate to {recipe.certify:g} rad; inf: throughout"
         yield _number("trust_horizon", one, "s", meaning)
     yield _number("reached", one, "s", "until when the run was made")
     attributes = {"units": "1", "long_name": "steps of the run"}

@@ -20,13 +20,14 @@ if TYPE_CHECKING:
     import xarray as xr
 
     from pendula._progress import AskedProgress, Progress
+    from pendula._recipe_file import RecipeSource
 
 ENDINGS = (".zarr", ".parquet")
 
 
 @with_bar("sweep")
 def sweep(
-    recipe: str | os.PathLike[str] | SweepRecipe,
+    recipe: RecipeSource | SweepRecipe,
     store: str | os.PathLike[str] | None = None,
     *,
     client: Any = None,
@@ -41,17 +42,17 @@ def sweep(
     goes wrong with one is said by its outcome: its numbers are NaN from there on.
 
     Args:
-        recipe: a TOML file, or what `pendula.sweeping.read_sweep` made of it.
+        recipe: a TOML file, a dict of its tables, or what `pendula.sweeping.read_sweep` made of it.
         store: where to write, chunk by chunk, so that the sweep may be larger than memory: a path
             or URL ending in .zarr, a store with which the same call goes on after it was stopped;
             or a path ending in .parquet, a file that is there once all of it is written, and
-            cannot be gone on with. None: in memory.
+            is not resumable. None: in memory.
         client: of a Dask cluster that computes the chunks.
         threads: None: one for each processor; on a cluster one for each task.
         progress: called with the part that is done, 0 to 1; True: a bar, in a notebook or a
             terminal.
-        resume: go on with an existing store; else it is refused.
-        overwrite: replace an existing one.
+        resume: resume an existing store; else it is refused.
+        overwrite: overwrite an existing one.
 
     Returns:
         Dims (row, t). For each row the parameters of its system, by name, its start (`theta1_start`
