@@ -54,12 +54,12 @@ def _compute(given: dict[str, Any]) -> None:
 
 def _ends(found: xr.Dataset) -> str:
     """How many runs had each outcome."""
-    import numpy as np
+    from collections import Counter
 
-    from pendula.many.sweep.rows import ENDS
+    from pendula._engine import OUTCOMES
 
-    counts = np.bincount(found["outcome"].values, minlength=len(ENDS))
-    return ", ".join(f"{counts[i]} {name}" for i, name in enumerate(ENDS) if counts[i])
+    counts = Counter(found["outcome"].values.tolist())
+    return ", ".join(f"{counts[name]} {name}" for name in OUTCOMES if counts[name])
 
 
 command = click.Command(
