@@ -11,6 +11,7 @@ import pytest
 
 from pendula import sweep
 from pendula.chunks import opened
+from pendula.study.recipe import read_recipe
 from pendula.sweeping import SweepRecipe, sweep_from
 from pendula.systems import system_from
 from swept import bits, recipe
@@ -111,6 +112,14 @@ def test_whole_numbers_may_be_written_as_floats(tmp_path: Path) -> None:
     assert all(type(each) is int for each in kinds)
 
 
+def test_a_study_takes_them_too(tmp_path: Path) -> None:
+    path = tmp_path / "mine.toml"
+    path.write_text("[linear_model]\nswings = [2e0, 10]\n[work]\npoints = 2e1\n")
+    found = read_recipe(path)
+    assert (found.linear_model.swings, found.work.points) == ((2, 10), 20)
+    assert type(found.work.points) is int
+
+
 def test_chunks_are_large_and_do_not_depend_on_the_draws(tmp_path: Path) -> None:
     made = recipe(tmp_path, HEAD.format("simple") + STARTS["simple"] + RUN.replace("chunk = 4", ""))
     assert made.chunk == 10_000
@@ -147,7 +156,9 @@ def test_what_is_wrong_is_told_in_one_line(
 def test_a_normal_parameter_stays_positive(tmp_path: Path) -> None:
     text = '[system]\nkind = "simple"\nmass = {{ normal = ["1 kg", "{} kg"] }}\n{}'
     assert recipe(tmp_path, text.format(0.12, RUN)).sampler.count == 6
-    told = r"line 3: system\.mass must be positive, 8\.3 standard deviations below its mean too, got"
+    told = (
+        r"line 3: system\.mass must be positive, 8\.3 standard deviations below its mean too, got"
+    )
     with pytest.raises(ValueError, match=told):
         recipe(tmp_path, text.format(0.13, RUN))
 

@@ -141,7 +141,9 @@ def test_an_old_store_is_read_and_not_gone_on_with(old: Path) -> None:
     assert found["outcome"].values.tolist() == [0] * 10
     assert found["outcome"].attrs["flag_meanings"].split()[0] == "reached_end"
     before = files(store)
-    told = r"swings\.zarr is in the format of an earlier version: it can be read, not gone on with; "
+    told = (
+        r"swings\.zarr is in the format of an earlier version: it can be read, not gone on with; "
+    )
     with pytest.raises(ValueError, match=told):
         sweep(old / "swings.toml", store)
     assert files(store) == before

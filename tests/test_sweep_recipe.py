@@ -213,7 +213,11 @@ def _double(system: str = "", state: str = "", run: str = 't_max = "1 s"') -> st
             3,
             "system.length: grid must be a list of one value at least, got []; name its values",
         ),
-        (_double("l1 = { }"), 3, "must be a table of one key, of uniform, log_uniform, normal, choice"),
+        (
+            _double("l1 = { }"),
+            3,
+            "must be a table of one key, of uniform, log_uniform, normal, choice",
+        ),
         (_double("l1 = { gaus = [1] }"), 3, "must be a table of one key"),
         (_double('l1 = { uniform = ["1 m"] }'), 3, 'uniform must be two ends, got ["1 m"]'),
         (_double("l1 = { uniform = [1, 2] }"), 3, "uniform needs quantities with their units"),
@@ -271,14 +275,17 @@ def _double(system: str = "", state: str = "", run: str = 't_max = "1 s"') -> st
             "run.draws is needed where anything is random",
         ),
         (
-            _double('l1 = { grid = ["1 m", "2 m", 99999] }', run='t_max = "1 s"\nevery = "1 us"\nchunk = 1e3'),
+            _double(
+                'l1 = { grid = ["1 m", "2 m", 99999] }',
+                run='t_max = "1 s"\nevery = "1 us"\nchunk = 1e3',
+            ),
             9,
             "run.chunk rows must have at most 10000000 outputs together, got 1000 rows of 1000001",
         ),
         (
             _double('l1 = { uniform = ["1 m", "2 m"] }', run='t_max = "1 s"\ndraws = 10000000001'),
             8,
-            "run.chunk must leave at most 1000000 chunks, got 10000000001 rows in chunks of 10000; ",
+            "run.chunk must leave at most 1000000 chunks, got 10000000001 rows in chunks of 10000",
         ),
     ],
 )

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 from pendula import _engine
 from pendula._angles import warn_of_degrees
 from pendula._checks import check_progress, finite_number, states_array
+from pendula._late_methods import with_promised
 from pendula._messages import ArgumentError
 from pendula._progress import part
 from pendula.many.tasks import Runs, Task, checked_threads, run_task
@@ -19,8 +20,11 @@ from pendula.systems import System, check_system
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
+    from os import PathLike
     from typing import Unpack
 
+    import pandas as pd
+    import xarray as xr
     from numpy.typing import ArrayLike
 
     from pendula._progress import Progress
@@ -28,19 +32,30 @@ if TYPE_CHECKING:
     from pendula.run.options import RunOptions
 
 
+@with_promised
 @dataclass(frozen=True, eq=False, repr=False, kw_only=True)
 class Ensemble(Runs):
     """What `ensemble` returns: n trajectories, with all that `Runs` says of them.
 
     Attributes:
         systems: the pendulum of all, or one of each.
-        method: the name of the method.
-        t: times of the outputs, (m,) [s].
+        starts: the states at t0, (n, d) [rad, rad/s].
+        task: what all runs have in common, the options among it.
     """
 
     systems: System | tuple[System, ...]
-    method: str
-    t: Array
+    starts: Array
+    task: Task
+
+    @property
+    def method(self) -> str:
+        """The name of the method."""
+        return self.task.method
+
+    @property
+    def t(self) -> Array:
+        """Times of the outputs, (m,) [s]."""
+        return self.task.t
 
     def __len__(self) -> int:
         return len(self.states)
@@ -64,6 +79,17 @@ class Ensemble(Runs):
             )
         energies[lacking] = np.nan
         return energies
+
+    if TYPE_CHECKING:  # attached by the module that defines them
+
+        def to_xarray(self) -> xr.Dataset:
+            """See `pendula.many.tables.to_xarray`."""
+
+        def to_pandas(self) -> pd.DataFrame:
+            """See `pendula.many.tables.to_pandas`."""
+
+        def save(self, path: str | PathLike[str], *, overwrite: bool = False) -> None:
+            """See `pendula.many.tables.save`."""
 
 
 @takes_options()
@@ -115,7 +141,7 @@ def ensemble(
     else:
         found = _runs_with_digits(task, systems, starts, task.digits, progress)
     asked = system if isinstance(system, System) else systems
-    return Ensemble(systems=asked, method=task.method, t=task.t, **vars(found))
+    return Ensemble(systems=asked, starts=starts, task=task, **vars(found))
 
 
 def _checked_task(

@@ -106,7 +106,7 @@ def normals(words: NDArray[np.uint64]) -> Array:
 
 
 def _log(x: Array) -> Array:
-    """ln x by ln(m) = 2 artanh((m − 1)/(m + 1)), of x = m 2^n: no two machines differ."""
+    """The logarithm by ln(m) = 2 artanh((m − 1)/(m + 1)), of x = m 2^n: no two machines differ."""
     m, n = np.frexp(x)
     low = m < math.sqrt(0.5)
     m, n = np.where(low, 2.0 * m, m), np.where(low, n - 1, n)

@@ -73,7 +73,9 @@ class Sampler:
     @property
     def random(self) -> bool:
         """Whether any column is random."""
-        return any(isinstance(each, Uniform | LogUniform | Normal | Choice) for _, each in self.columns)
+        return any(
+            isinstance(each, Uniform | LogUniform | Normal | Choice) for _, each in self.columns
+        )
 
     @property
     def count(self) -> int:

@@ -26,7 +26,9 @@ if TYPE_CHECKING:
 
 ROW, TIME = "row", "t"
 MISSING = ""  # the outcome of a row that has not been computed
-_FORMAT = 2  # in 1 outcomes were numbers, and the draws of a point of the grids followed one another
+_FORMAT = (
+    2  # in 1 outcomes were numbers, and the draws of a point of the grids followed one another
+)
 _TEXT = f"<U{max(map(len, _engine.OUTCOMES))}"
 _RUNS = 0.9  # of the work; the rest are energies and the like
 
