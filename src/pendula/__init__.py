@@ -44,7 +44,7 @@ _OF_A_RUN = ("exact", "events", "sections", "solve", "trajectory", "trust")
 # Methods that stand above their class; each room attaches its own.
 promise("Trajectory", "pendula.io", "save", "to_pandas", "to_xarray")
 promise("Ensemble", "pendula.many.tables", "save", "to_pandas", "to_xarray")
-promise("Trajectory", "pendula.plot", "plot")
+promise("Trajectory", "pendula.plot", "animate", "plot")
 
 if TYPE_CHECKING:
     from pendula import elliptic, events

@@ -110,14 +110,14 @@ def styled(draw: Callable[P, Figure]) -> Callable[P, Figure]:
 
     @wraps(draw)
     def drawn(*args: P.args, **kwargs: P.kwargs) -> Figure:
-        with _look():
+        with look():
             return draw(*args, **kwargs)
 
     return drawn
 
 
 @contextmanager
-def _look() -> Iterator[None]:
+def look() -> Iterator[None]:
     matplotlib = extra("matplotlib", "report")
     with matplotlib.rc_context():
         # From the defaults on, whatever a user's own settings are: figures are the same everywhere.
@@ -222,6 +222,6 @@ def picture(figure: Figure, kind: str) -> bytes:
         "png": {"Software": None},
     }
     buffer = BytesIO()
-    with _look():
+    with look():
         figure.savefig(buffer, format=kind, metadata=undated[kind], dpi=_DOTS)
     return buffer.getvalue()
