@@ -19,7 +19,10 @@ if TYPE_CHECKING:
     from pendula import Ensemble
 
 TIMES = [1.0, 2.0, 4.0]
-STATES = {2: [(0.1, 0.0), (2.0, 1.0), (0.0, 8.0)], 4: [(2.0, 2.5, 0.0, 0.0), (0.1, 0.2, 0.0, 0.0)]}
+STATES: dict[int, Any] = {
+    2: [(0.1, 0.0), (2.0, 1.0), (0.0, 8.0)],
+    4: [(2.0, 2.5, 0.0, 0.0), (0.1, 0.2, 0.0, 0.0)],
+}
 SYSTEMS = [LinearPendulum(), SimplePendulum(length=0.5), DoublePendulum.rods(l2=0.7)]
 
 

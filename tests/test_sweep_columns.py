@@ -153,6 +153,30 @@ def test_what_is_wrong_is_told_in_one_line(
     assert "\n" not in str(caught.value)
 
 
+@pytest.mark.parametrize(
+    ("run", "key", "told"),
+    [
+        (
+            'every = "1 us"\nchunk = 1e3\ndraws = 9e4',
+            "chunk",
+            "chunk rows must have at most 10000000",
+        ),
+        (
+            "draws = 10000000001",
+            "draws",
+            "chunk must leave at most 1000000 chunks, got 10000000001",
+        ),
+    ],
+)
+def test_chunks_that_are_too_large_or_too_many_are_refused(
+    tmp_path: Path, run: str, key: str, told: str
+) -> None:
+    text = HEAD.format("simple") + STARTS["simple"] + f'[run]\nt_max = "1 s"\n{run}\n'
+    line = 1 + [each.startswith(key) for each in text.splitlines()].index(True)
+    with pytest.raises(ValueError, match=rf"line {line}: run\.{told}"):
+        recipe(tmp_path, text)
+
+
 def test_a_normal_parameter_stays_positive(tmp_path: Path) -> None:
     text = '[system]\nkind = "simple"\nmass = {{ normal = ["1 kg", "{} kg"] }}\n{}'
     assert recipe(tmp_path, text.format(0.12, RUN)).sampler.count == 6

@@ -116,7 +116,7 @@ def test_the_command_goes_on_with_more_draws(call: Call) -> None:
         ({"draws": 9, "seed": 1}, r"sweep\.sampler\.draws is 4 there and 9 here"),
     ],
 )
-def test_other_sweeps_do_not_go_on(tmp_path: Path, change: dict[str, int], told: str) -> None:
+def test_other_sweeps_do_not_go_on(tmp_path: Path, change: dict[str, Any], told: str) -> None:
     asked, store = recipe(tmp_path, GRID), tmp_path / "rods.zarr"
     sweep(asked, store)
     before = files(store)

@@ -274,19 +274,6 @@ def _double(system: str = "", state: str = "", run: str = 't_max = "1 s"') -> st
             6,
             "run.draws is needed where anything is random",
         ),
-        (
-            _double(
-                'l1 = { grid = ["1 m", "2 m", 99999] }',
-                run='t_max = "1 s"\nevery = "1 us"\nchunk = 1e3',
-            ),
-            9,
-            "run.chunk rows must have at most 10000000 outputs together, got 1000 rows of 1000001",
-        ),
-        (
-            _double('l1 = { uniform = ["1 m", "2 m"] }', run='t_max = "1 s"\ndraws = 10000000001'),
-            8,
-            "run.chunk must leave at most 1000000 chunks, got 10000000001 rows in chunks of 10000",
-        ),
     ],
 )
 def test_a_broken_recipe_is_told_in_one_line(

@@ -59,9 +59,10 @@ def one_each(
     entries: Iterable[SystemEntry],
     options: Callable[[SystemEntry], list[click.Parameter]],
     callback: Callable[..., None],
+    kind: type[ChoiceGroup] = ChoiceGroup,
 ) -> ChoiceGroup:
     """A group with a subcommand for each system; `callback` is given the system's entry first."""
-    group = ChoiceGroup(name, kind="system", help=help)
+    group = kind(name, kind="system", help=help)
     for entry in entries:
 
         def call(entry: SystemEntry = entry, **given: Any) -> None:

@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterator
 
     import xarray as xr
+    from matplotlib.figure import Figure
 
 _BAND = 256  # rows read at once, where a store does not say how many
 
@@ -48,13 +49,18 @@ def write(
     from pendula._writing import replacing
 
     if picture is not None:
-        from pendula import plot
-
-        draw = {"flip": plot.flip_map, "divergence": plot.divergence_map}[kind]
-        write_picture(draw(found, language=given["lang"]), picture, given)
+        write_picture(drawn(kind, found, given["lang"]), picture, given)
     if out is not None:
         with replacing(Path(out), overwrite=given["force"]) as unfinished:
             found.to_netcdf(unfinished, engine="h5netcdf")
+
+
+def drawn(kind: str, found: xr.Dataset, language: str) -> Figure:
+    """The picture of a map, of the command that made it or of a file."""
+    from pendula import plot
+
+    draw = {"flip": plot.flip_map, "divergence": plot.divergence_map}[kind]
+    return draw(found, language=language)
 
 
 def summary(kind: str, found: xr.Dataset) -> str:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from typing import TYPE_CHECKING, Any
 
 import click
@@ -10,7 +11,7 @@ from pendula.cli.progress import work_bar
 from pendula.cli.stores import check_store_options, cluster, store_options, telling_how_to_resume
 
 if TYPE_CHECKING:
-    import xarray as xr
+    from collections.abc import Iterable
 
 
 def _sweep(**given: Any) -> None:
@@ -48,18 +49,14 @@ def _compute(given: dict[str, Any]) -> None:
             raise click.ClickException(
                 "not enough memory; take fewer rows a chunk in the recipe: [run] chunk"
             ) from None
-        ends = _ends(found)
+        ends = ends_of(found["outcome"].values.tolist())
     click.echo(f"{out}: {count} rows of {len(read.times)} times; {ends}")
 
 
-def _ends(found: xr.Dataset) -> str:
+def ends_of(outcomes: Iterable[str]) -> str:
     """How many runs had each outcome."""
-    from collections import Counter
-
-    from pendula._engine import OUTCOMES
-
-    counts = Counter(found["outcome"].values.tolist())
-    return ", ".join(f"{counts[name]} {name}" for name in OUTCOMES if counts[name])
+    counts = Counter(outcomes)
+    return ", ".join(f"{count} {name}" for name, count in counts.most_common() if name)
 
 
 command = click.Command(

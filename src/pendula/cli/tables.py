@@ -38,7 +38,7 @@ def table(header: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
 def show(run: Trajectory, *, every_row: bool = False) -> None:
     """Print a run: some of its rows (or all), and its angles as curves."""
     click.echo(_rows_of(run, every_row=every_row))
-    if len(run.t) >= _ENOUGH_FOR_A_CURVE and _can_print("⣿"):
+    if len(run.t) >= _ENOUGH_FOR_A_CURVE and can_print("⣿"):
         _curves(run)
 
 
@@ -118,7 +118,8 @@ def _curves(run: Trajectory) -> None:
     click.echo()
 
 
-def _can_print(text: str) -> bool:
+def can_print(text: str) -> bool:
+    """Whether stdout's encoding has these characters."""
     try:
         text.encode(sys.stdout.encoding or "ascii")
     except (LookupError, UnicodeEncodeError):

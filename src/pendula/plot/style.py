@@ -118,6 +118,7 @@ def styled(draw: Callable[P, Figure]) -> Callable[P, Figure]:
 
 @contextmanager
 def look() -> Iterator[None]:
+    """A context in which matplotlib draws in this look."""
     matplotlib = extra("matplotlib", "report")
     with matplotlib.rc_context():
         # From the defaults on, whatever a user's own settings are: figures are the same everywhere.

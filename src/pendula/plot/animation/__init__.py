@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from fractions import Fraction
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -17,7 +18,7 @@ from pendula.plot.style import look
 from pendula.run.trajectory import Trajectory
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Iterator, Sequence
+    from collections.abc import Callable, Iterable, Iterator, Sequence
     from os import PathLike
 
     from pendula._progress import Progress
@@ -75,8 +76,7 @@ def animate(
     words = labels(language)
     encoding.check_encoder(ending)
     extra("matplotlib", "animation")
-    rate = encoding.standard_rate(ending) if fps is None else whole_number("fps", fps, _FASTEST)
-    every = encoding.interval(ending, rate)
+    every = _interval(ending, fps)
     shown = motions.single(runs)
     film = _film(
         shown,
@@ -91,6 +91,28 @@ def animate(
         scene = Scene(film, words)
         sample = [scene.draw(i) for i in encoding.sampled(len(scene))]
         encoding.write(ending, unfinished, _frames(scene, progress), every, sample)
+
+
+def count_frames(
+    runs: Trajectory | Iterable[Trajectory],
+    path: str | PathLike[str],
+    *,
+    speed: float = 1.0,
+    fps: int | None = None,
+) -> int:
+    """How many frames `animate` would write.
+
+    Raises:
+        ValueError: as for `animate`.
+    """
+    every = float(_interval(ending_of(path), fps))
+    return motions.frame_times(motions.single(runs), every, positive_number("speed", speed)).size
+
+
+def _interval(ending: str, fps: int | None) -> Fraction:
+    """From frame to frame [s]."""
+    rate = encoding.standard_rate(ending) if fps is None else whole_number("fps", fps, _FASTEST)
+    return encoding.interval(ending, rate)
 
 
 def ending_of(path: str | PathLike[str]) -> str:
@@ -142,7 +164,7 @@ def _frames(scene: Scene, progress: Progress) -> Iterator[Picture]:
 
 
 def _names(
-    runs: list[Trajectory], names: Sequence[str] | None, name_of: object
+    runs: list[Trajectory], names: Sequence[str] | None, name_of: Callable[[str], str]
 ) -> tuple[str, ...]:
     """What the motions are called; one alone needs no name."""
     if names is not None:
@@ -154,18 +176,16 @@ def _names(
     methods = [run.method for run in runs]
     if len(runs) == 1 or len(set(methods)) < len(runs):
         return ()
-    assert callable(name_of)
     return tuple(name_of(method) for method in methods)
 
 
 def _size(size: object) -> tuple[int, int]:
     """Width and height, even as video has to be."""
-    try:
-        width, height = size  # type: ignore[misc]
-    except (TypeError, ValueError):
+    given = tuple(size) if isinstance(size, tuple | list) else ()
+    if len(given) != 2:
         rule = "must be width and height in pixels, got {value}"
-        raise ArgumentError("size", rule, value=size) from None
-    found = [whole_number("size", each, _LARGEST) for each in (width, height)]
+        raise ArgumentError("size", rule, value=size)
+    found = [whole_number("size", each, _LARGEST) for each in given]
     if min(found) < _SMALLEST:
         rule = "must be at least {least} pixels each way, got {value}"
         raise ArgumentError("size", rule, least=_SMALLEST, value=tuple(found))

@@ -20,6 +20,7 @@ if TYPE_CHECKING:
 ENDINGS = (".gif", ".mp4", ".webm", ".html")
 _EXTRA = "animation"
 _TICKS = 100  # in a second, in which a GIF counts
+_WHITE = 246  # and more of each colour is white
 _SAMPLES = 8  # frames that a GIF's colours are taken from
 _VIDEO: dict[str, tuple[str, dict[str, str]]] = {  # codec, and its options
     "mp4": ("libx264", {"crf": "18", "preset": "medium"}),
@@ -80,18 +81,19 @@ def _write_gif(
     path: Path, frames: Iterator[Picture], every: Fraction, sample: list[Picture]
 ) -> None:
     image = extra("PIL.Image", _EXTRA)
-    found = image.fromarray(np.concatenate(sample)).quantize(255).getpalette("RGB")
+    found = np.array(image.fromarray(np.concatenate(sample)).quantize(256).getpalette("RGB"))
+    found = found.reshape(-1, 3)
+    found[(found > _WHITE).all(axis=1)] = 255  # the paper stays white
     colours = image.new("P", (1, 1))
-    colours.putpalette([255, 255, 255, *found])  # the paper stays white
+    colours.putpalette(found.ravel().tolist())
     indexed = (
-        image.fromarray(each).quantize(palette=colours, dither=image.Dither.NONE)
-        for each in frames
+        image.fromarray(each).quantize(palette=colours, dither=image.Dither.NONE) for each in frames
     )
     first = next(indexed)
     milliseconds = int(every * 1000)
-    first.save(
-        path, format="GIF", save_all=True, append_images=indexed, duration=milliseconds, loop=0
-    )
+    moving = {"save_all": True, "append_images": indexed, "duration": milliseconds, "loop": 0}
+    with path.open("wb") as file:
+        first.save(file, format="GIF", **moving)
 
 
 def _write_video(kind: str, file: Any, frames: Iterator[Picture], every: Fraction) -> None:

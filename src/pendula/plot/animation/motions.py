@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterable
 
     from pendula._types import Array
+    from pendula.run.options import RunOptions
     from pendula.systems import System
 
 MOST_FRAMES = 20_000
@@ -122,8 +123,10 @@ def motion(run: Trajectory, times: Array) -> Motion:
 def span(run: Trajectory) -> tuple[float, float]:
     """The first and the last time that is shown; of a single output, from the start to it [s]."""
     if run.method == "exact":
-        times = sorted((float(run.t.min()), float(run.t.max())))
-        return (run.request.t0, times[0]) if run.t.size == 1 else (times[0], times[1])
+        if run.t.size == 1:
+            return run.request.t0, float(run.t[0])
+        first, last = float(run.t.min()), float(run.t.max())
+        return (first, last) if run.t[0] <= run.t[-1] else (last, first)
     begin = run.t[0] if run.t.size > 1 else run.request.t0
     return float(begin), float(run.t[-1])
 
@@ -135,10 +138,8 @@ def _states(run: Trajectory, times: Array) -> Array:
         return run.at(times)
     wanted = np.unique(times)  # rising
     direction = 1 if asked.end >= asked.t0 else -1
-    options = {"step": asked.step, "digits": asked.digits}
-    again = solve(
-        run.system, asked.state, wanted[::direction], run.method, t0=asked.t0, **options
-    )
+    options: RunOptions = {"step": asked.step, "digits": asked.digits}
+    again = solve(run.system, asked.state, wanted[::direction], run.method, t0=asked.t0, **options)
     return np.asarray(again.states[::direction][np.searchsorted(wanted, times)])
 
 

@@ -65,7 +65,7 @@ class Scene:
         self._film, self._words = film, words
         width, height = film.size
         figure = Figure(figsize=(width / _DOTS, height / _DOTS), dpi=_DOTS)
-        self._canvas = FigureCanvasAgg(figure)
+        self._canvas: Any = FigureCanvasAgg(figure)
         bars = film.energy and len(film.motions) <= MOST_BARS
         room = min(0.5, (120 + 24 * len(film.motions)) / width) if bars else 0.0
         self._colours = _colours(len(film.motions))
@@ -81,13 +81,15 @@ class Scene:
             edge = 70 / width
             axes = figure.add_axes((1.0 - room + edge, 0.14, room - edge - 0.02, 0.72 - _HEAD))
             self._bars = _Bars(axes, film.motions, self._colours, words)
-        self._clock = figure.text(
-            0.02, 1.0 - 0.5 * _HEAD, "", size=13, va="center", animated=True
-        )
+        self._clock = figure.text(0.02, 1.0 - 0.5 * _HEAD, "", size=13, va="center", animated=True)
         self._name(figure)
-        self._canvas.draw()
-        self._still = self._canvas.copy_from_bbox(figure.bbox)
+        self._still = self._drawn_still(figure)
         self._figure = figure
+
+    def _drawn_still(self, figure: Any) -> Any:
+        """What does not move."""
+        self._canvas.draw()
+        return self._canvas.copy_from_bbox(figure.bbox)
 
     def _name(self, figure: Any) -> None:
         """Names in their colours, from the right."""
@@ -111,7 +113,7 @@ class Scene:
     def draw(self, frame: int) -> Picture:
         """A frame, (height, width, 3)."""
         film, place = self._film, frame * self._film.parts
-        self._canvas.restore_region(self._still)  # type: ignore[no-untyped-call]
+        self._canvas.restore_region(self._still)
         renderer = self._canvas.get_renderer()
         for each in self._pendulums:
             each.draw(renderer, place, max(0, place - film.trail))
@@ -169,9 +171,7 @@ class _Pendulum:
 class _Bars:
     """Kinetic energy, and potential energy on top of it, a bar for each motion."""
 
-    def __init__(
-        self, ax: Axes, motions: list[Motion], colours: list[str], words: Labels
-    ) -> None:
+    def __init__(self, ax: Axes, motions: list[Motion], colours: list[str], words: Labels) -> None:
         from matplotlib.patches import Patch
 
         self._motions = motions
@@ -208,7 +208,7 @@ class _Bars:
 
 
 def _frame(ax: Axes, motions: list[Motion], shape: float) -> None:
-    """Show the pivot and all that is ever reached, to scale; `shape` is the field's width/height."""
+    """Show the pivot and all that is ever reached, to scale, in a field of this width/height."""
     low, high = np.zeros(2), np.zeros(2)
     for each in motions:
         points = each.points.reshape(-1, 2)
