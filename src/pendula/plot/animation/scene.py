@@ -22,12 +22,13 @@ if TYPE_CHECKING:
 
 # Okabe & Ito's palette, ink first; more motions than that take a scale of colours.
 _COLOURS = (INK, "#d55e00", "#0072b2", "#009e73", "#cc79a7", "#e69f00", "#56b4e9")
-MOST_BARS = 8
+_MOST_BARS = 8
+_NARROWEST = 320  # pixels that have room for bars
 _DOTS = 100  # an inch
 _PIVOT = "#4a525b"
 _PALE = 0.45  # opacity of potential energy
 _ROOM = 0.09  # around all that is reached, as a part of it
-_HEAD = 0.09  # of the height, for the clock and the names
+_HEAD, _FOOT = 44, 58  # pixels for the clock and the names, and for what the bars mean
 
 
 @dataclass(frozen=True, eq=False)
@@ -66,22 +67,25 @@ class Scene:
         width, height = film.size
         figure = Figure(figsize=(width / _DOTS, height / _DOTS), dpi=_DOTS)
         self._canvas: Any = FigureCanvasAgg(figure)
-        bars = film.energy and len(film.motions) <= MOST_BARS
+        head = _HEAD / height
+        bars = film.energy and len(film.motions) <= _MOST_BARS and width >= _NARROWEST
         room = min(0.5, (120 + 24 * len(film.motions)) / width) if bars else 0.0
         self._colours = _colours(len(film.motions))
         self._moving: list[tuple[Any, Artist]] = []
-        plane = figure.add_axes((0.0, 0.0, 1.0 - room, 1.0 - _HEAD))
+        plane = figure.add_axes((0.0, 0.0, 1.0 - room, 1.0 - head))
         self._pendulums = [
             _Pendulum(plane, each, colour, order)
             for order, (each, colour) in enumerate(zip(film.motions, self._colours, strict=True))
         ]
-        _frame(plane, film.motions, (1.0 - room) * width / ((1.0 - _HEAD) * height))
+        _frame(plane, film.motions, (1.0 - room) * width / (height - _HEAD))
         self._bars = None
         if bars:
             edge = 70 / width
-            axes = figure.add_axes((1.0 - room + edge, 0.14, room - edge - 0.02, 0.72 - _HEAD))
+            foot = _FOOT / height
+            up = 1.0 - 1.6 * head - foot  # a title is above
+            axes = figure.add_axes((1.0 - room + edge, foot, room - edge - 0.02, up))
             self._bars = _Bars(axes, film.motions, self._colours, words)
-        self._clock = figure.text(0.02, 1.0 - 0.5 * _HEAD, "", size=13, va="center", animated=True)
+        self._clock = figure.text(0.02, 1.0 - 0.5 * head, "", size=13, va="center", animated=True)
         self._name(figure)
         self._still = self._drawn_still(figure)
         self._figure = figure
@@ -137,7 +141,7 @@ class _Pendulum:
         # The first motion, which the others are compared with, is drawn broader, beneath them.
         broad = order == 0
         rods = motion.system.form == "rods"
-        self._path = LineCollection([], linewidths=1.8, animated=True, capstyle="round")
+        self._path = LineCollection([], linewidths=1.8, animated=True, capstyle="butt")
         ax.add_collection(self._path, autolim=False)
         (self._rods,) = ax.plot(
             [],
