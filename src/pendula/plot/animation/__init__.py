@@ -59,7 +59,7 @@ def animate(
         fps: frames in a second; None: 25 in a .gif, which shows each for a whole number of
             hundredths of a second, 30 otherwise.
         trail: how long the path behind the last bob is; 0: none [s].
-        energy: whether bars show the energies, of up to 8 motions and from a width of 320 pixels on.
+        energy: whether bars show the energies, of up to 8 motions, at 320 pixels or more.
         size: width and height; an odd one becomes even [pixels].
         names: one for each motion; None: those of the methods, where they differ.
         language: "en" or "es".
