@@ -67,8 +67,8 @@ def test_each_outcome_is_counted(call: Call) -> None:
     limited = RECIPE.replace("draws", "max_steps = 45\ndraws")
     Path("rods.toml").write_text(limited, encoding="utf-8")
     _, printed, _ = call("sweep rods.toml -o rods.zarr")
-    codes = opened("rods.zarr")["outcome"].values.tolist()
-    reached, limit = codes.count(0), codes.count(2)
+    ends = opened("rods.zarr")["outcome"].values.tolist()
+    reached, limit = ends.count("reached_end"), ends.count("step_limit")
     assert 0 < reached < reached + limit == 30
     assert printed.endswith(f"; {reached} reached_end, {limit} step_limit\n")
 

@@ -6,6 +6,7 @@ import json
 import math
 import pickle
 from itertools import pairwise
+from statistics import NormalDist
 from typing import Any
 
 import mpmath
@@ -15,12 +16,14 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from pendula.many.sampling.bits import exp2
+from pendula.many.sampling.normal import FARTHEST, normals
 from pendula.sampling import (
     Choice,
     Fixed,
     Grid,
     Listed,
     LogUniform,
+    Normal,
     SameAs,
     Sampler,
     Uniform,
@@ -181,14 +184,54 @@ def test_a_grid_of_whole_numbers_is_whole() -> None:
     assert Grid(0.0, 10.0, 11).at(np.arange(11)).tolist() == list(range(11))
 
 
-def test_the_first_grid_is_the_slowest_and_draws_follow_one_another() -> None:
+def test_a_pass_through_the_grids_follows_another_for_each_draw() -> None:
     columns = (("a", Listed((1.0, 2.0))), ("b", Grid(0.0, 2.0, 3)), ("x", Uniform(0.0, 1.0)))
     sampler = Sampler(columns, draws=2)
     assert (sampler.count, sampler.shape) == (12, (2, 3))
     rows = sampler.rows(0, 12)
-    assert rows["a"].tolist() == [1.0] * 6 + [2.0] * 6
-    assert rows["b"].tolist() == [0.0, 0.0, 1.0, 1.0, 2.0, 2.0] * 2
+    assert rows["a"].tolist() == ([1.0] * 3 + [2.0] * 3) * 2
+    assert rows["b"].tolist() == [0.0, 1.0, 2.0] * 4
     assert len(set(rows["x"].tolist())) == 12
+
+
+def test_more_draws_leave_the_rows_that_there_are() -> None:
+    columns = (("n", Normal(1.0, 2.0)), *MIXED.columns)
+    few, many = Sampler(columns, draws=2, seed=7), Sampler(columns, draws=9, seed=7)
+    rows = many.rows(0, few.count)
+    for name, values in few.rows(0, few.count).items():
+        assert values.tobytes() == rows[name].tobytes(), name
+
+
+def test_normal_values_are_the_quantiles_of_their_bits() -> None:
+    """From mpmath with 40 digits, to the rounding of the last operations."""
+    places = [0, 1, 17, 2**20, 2**40, 2**51 + 3, 2**52 - 1, int(0.075 * 2**53), int(0.0749 * 2**53)]
+    places += [int(math.exp(-25.0) * 2**53) + i for i in (0, 1)]  # where the far tail begins
+    with mpmath.workdps(40):
+        expected = [
+            mpmath.sqrt(2) * mpmath.erfinv(1 - 2 * (mpmath.mpf(k) + 0.5) / 2**53) for k in places
+        ]
+        for sign, bit in ((1, 1), (-1, 0)):
+            found = normals(np.array([k << 12 | bit for k in places], np.uint64))
+            for value, exact in zip(found.tolist(), expected, strict=True):
+                assert abs(sign * value / exact - 1) < 5e-16
+    assert float(expected[0]) < FARTHEST < float(expected[0]) + 1e-4
+
+
+def test_normal_values_are_distributed_normally() -> None:
+    n, boxes = 200_000, 60
+    x = Sampler((("x", Normal(3.0, 0.5)),), draws=n, seed=4).rows(0, n)["x"]
+    ends = [NormalDist(3.0, 0.5).inv_cdf(i / boxes) for i in range(1, boxes)]
+    counts = np.histogram(x, bins=[-math.inf, *ends, math.inf])[0]
+    chi_square = float(((counts - n / boxes) ** 2).sum() / (n / boxes))
+    assert abs(chi_square - (boxes - 1)) < 4 * math.sqrt(2 * (boxes - 1))
+    low, high = Normal(3.0, 0.5).ends
+    assert low < x.min() < x.max() < high
+
+
+def test_a_count_may_be_written_as_a_float() -> None:
+    made = Sampler((("x", Normal(0.0, 1.0)), ("y", Grid(0.0, 1.0, 3.0))), draws=1e5)  # type: ignore[arg-type]
+    assert made == Sampler((("x", Normal(0.0, 1.0)), ("y", Grid(0.0, 1.0, 3))), draws=10**5)
+    assert json.dumps(made.description()["draws"]) == "100000"
 
 
 def test_a_column_may_be_that_of_another() -> None:
@@ -222,6 +265,10 @@ def test_rows_are_counted_from_0() -> None:
         (lambda: Choice(()), "a choice must have at least one value"),
         (lambda: Listed((1.0, math.inf)), "each value of a list must be a finite number"),
         (lambda: Grid(0.0, 1.0, 1), "a grid must have at least 2 values, got 1"),
+        (lambda: Normal(0.0, 0.0), "the standard deviation must be positive, got 0.0"),
+        (lambda: Normal(math.nan, 1.0), "mean must be a finite number"),
+        (lambda: Normal(1e308, 1e308), "a normal must not be wider than numbers go"),
+        (lambda: Sampler((("a", Normal(0, 1)),), draws=1.5), "draws must be a whole number"),  # type: ignore[arg-type]
         (lambda: Grid(0.0, 1.0, 2.5), "the count of a grid must be a whole number"),  # type: ignore[arg-type]
         (lambda: Grid(0.0, 1e308, 10), "a grid must end before"),
         (lambda: Sampler((("a", Fixed(1.0)),), draws=2), "draws must be 1 where nothing is random"),

@@ -42,9 +42,10 @@ _MODULES = (
 )
 _OF_A_RUN = ("exact", "events", "sections", "solve", "trajectory", "trust")
 
-# A trajectory's methods that stand above it; each room attaches its own.
+# Methods that stand above their class; each room attaches its own.
 promise("Trajectory", "pendula.io", "save", "to_pandas", "to_xarray")
-promise("Trajectory", "pendula.plot", "plot")
+promise("Ensemble", "pendula.many.tables", "save", "to_pandas", "to_xarray")
+promise("Trajectory", "pendula.plot", "animate", "plot")
 
 if TYPE_CHECKING:
     from pendula import elliptic, events

@@ -197,6 +197,12 @@ def whole_number(name: str, value: object, most: int) -> int:
     return found
 
 
+def counted(name: str, value: object, most: int) -> int:
+    """`value` as `whole_number`; a recipe may write it as a float, 1e5."""
+    given = int(value) if isinstance(value, float) and value.is_integer() else value
+    return whole_number(name, given, most)
+
+
 def check_threads(threads: object) -> int | None:
     """A number of threads; None: whoever runs them chooses it."""
     return None if threads is None else whole_number("threads", threads, MOST_THREADS)

@@ -14,7 +14,18 @@ import click
 
 from pendula._checks import MissingExtraError
 from pendula._version import __version__
-from pendula.cli import compare, exact, map, methods, period, show, solve, study, sweep
+from pendula.cli import (
+    animate,
+    compare,
+    exact,
+    map,
+    methods,
+    period,
+    show,
+    solve,
+    study,
+    sweep,
+)
 from pendula.cli.groups import ChoiceGroup
 from pendula.cli.naming import CommandNaming
 
@@ -47,7 +58,7 @@ def _pendula() -> None:
     """A laboratory for the simple and the double pendulum."""
 
 
-for module in (solve, exact, period, methods, compare, map, show, sweep, study):
+for module in (solve, exact, period, methods, compare, map, sweep, animate, show, study):
     _pendula.add_command(module.command)
 
 

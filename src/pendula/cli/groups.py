@@ -6,6 +6,8 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from pendula import _engine
+
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Mapping
 
@@ -78,6 +80,7 @@ def one_each(
     options: Callable[[SystemEntry], list[click.Parameter]],
     callback: Callable[..., None],
     *,
+    kind: type[ChoiceGroup] | None = None,
     without: str = "",
 ) -> ChoiceGroup:
     """A group with a subcommand for each system; `callback` is given the system's entry first.
@@ -90,7 +93,7 @@ def one_each(
         for name in _engine.system_entries().keys() - {each.name for each in chosen}
         if without
     }
-    group = ChoiceGroup(name, kind="system", lacking=lacking, help=help)
+    group = (kind or ChoiceGroup)(name, kind="system", lacking=lacking, help=help)
     for entry in chosen:
 
         def call(entry: SystemEntry = entry, **given: Any) -> None:

@@ -39,7 +39,7 @@ def checked_map_picture(given: dict[str, Any]) -> Path | None:
         ValueError: for an unknown ending or colormap, or a look without a picture.
         OSError: where it cannot be written, or exists without --force.
     """
-    picture, look = checked_picture(given), _look(given)
+    picture, look = checked_picture(given), look_of(given)
     if picture is None and look:
         raise ValueError(f"--{next(iter(look))} goes with --picture; name the picture")
     if "colormap" in look:
@@ -53,8 +53,9 @@ def draw_map(found: xr.Dataset, picture: Path, given: dict[str, Any]) -> None:
     """Draw a map of either kind and write its picture."""
     from pendula import plot
 
-    write_picture(plot.stored_map(found, language=given["lang"], **_look(given)), picture, given)
+    write_picture(plot.stored_map(found, language=given["lang"], **look_of(given)), picture, given)
 
 
-def _look(given: dict[str, Any]) -> dict[str, Any]:
+def look_of(given: dict[str, Any]) -> dict[str, Any]:
+    """The options of these that were given, as `pendula.plot` takes them."""
     return {name: given[name] for name in _LOOK if given[name] is not None}

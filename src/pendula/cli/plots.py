@@ -1,4 +1,4 @@
-"""A curve in a terminal: braille characters of two by four dots."""
+"""Plots in a terminal: a curve of braille characters, two by four dots each; a map in shades."""
 
 from __future__ import annotations
 
@@ -16,6 +16,7 @@ _DOTS = np.array([[0x01, 0x08], [0x02, 0x10], [0x04, 0x20], [0x40, 0x80]])
 _EMPTY = 0x2800  # the braille character without a dot
 _NUMBERS = 9  # characters for those at the side
 MARGIN = _NUMBERS + 2
+_SHADES = "█▓▒░"
 
 
 def curve(t: Array, y: Array, *, width: int = 68, height: int = 8) -> str:
@@ -52,3 +53,26 @@ def _drawn(t: Array, y: Array, columns: int, rows: int) -> NDArray[np.bool_]:
         np.maximum.at(bottom, place, height)
     row = np.arange(rows)[:, np.newaxis]
     return (row >= top) & (row <= bottom)
+
+
+def shades(values: Array, *, width: int = 68) -> str:
+    """A picture of values (n1, n2) over two angles, the second one upward: dark where they are low.
+
+    Args:
+        values: finite, or nan where there is none: blank.
+        width: in characters, each twice as high as wide.
+    """
+    columns = np.linspace(0, values.shape[0] - 1, width).round().astype(int)
+    height = max(1, round(width * values.shape[1] / values.shape[0] / 2))
+    rows = np.linspace(values.shape[1] - 1, 0, height).round().astype(int)
+    picked = values[np.ix_(columns, rows)].T
+    known = picked[np.isfinite(picked)]
+    if not known.size:
+        return "\n".join([" " * width] * height)
+    ends = np.quantile(known, np.arange(1, len(_SHADES)) / len(_SHADES))
+    return "\n".join(
+        "".join(
+            _SHADES[int(np.searchsorted(ends, each))] if np.isfinite(each) else " " for each in row
+        )
+        for row in picked
+    )

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from typing import TYPE_CHECKING, Any
 
 import click
@@ -11,7 +12,7 @@ from pendula.cli.stores import check_store_options, cluster, store_options, tell
 from pendula.cli.tables import paragraph
 
 if TYPE_CHECKING:
-    import xarray as xr
+    from collections.abc import Iterable
 
 
 def _sweep(**given: Any) -> None:
@@ -49,18 +50,14 @@ def _compute(given: dict[str, Any]) -> None:
             raise click.ClickException(
                 "not enough memory; take fewer rows a chunk in the recipe: [run] chunk"
             ) from None
-        ends = _ends(found)
+        ends = ends_of(found["outcome"].values.tolist())
     click.echo(paragraph(f"{out}: {count} rows of {len(read.times)} times; {ends}"))
 
 
-def _ends(found: xr.Dataset) -> str:
+def ends_of(outcomes: Iterable[str]) -> str:
     """How many runs had each outcome."""
-    import numpy as np
-
-    from pendula.many.sweep.rows import ENDS
-
-    counts = np.bincount(found["outcome"].values, minlength=len(ENDS))
-    return ", ".join(f"{counts[i]} {name}" for i, name in enumerate(ENDS) if counts[i])
+    counts = Counter(outcomes)
+    return ", ".join(f"{count} {name}" for name, count in counts.most_common() if name)
 
 
 command = click.Command(

@@ -58,7 +58,7 @@ def show(run: Trajectory, *, every_row: bool = False) -> None:
     click.echo(_rows_of(run, rows))
     if len(rows) < len(run.t):
         click.echo(f"{len(rows)} of {times_of(run)} shown; -o FILE writes all")
-    if len(run.t) >= _ENOUGH_FOR_A_CURVE and _can_print("⣿"):
+    if len(run.t) >= _ENOUGH_FOR_A_CURVE and can_print("⣿"):
         _curves(run)
 
 
@@ -140,7 +140,8 @@ def _curves(run: Trajectory) -> None:
     click.echo()
 
 
-def _can_print(text: str) -> bool:
+def can_print(text: str) -> bool:
+    """Whether stdout's encoding has these characters."""
     try:
         text.encode(sys.stdout.encoding or "ascii")
     except (LookupError, UnicodeEncodeError):

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 from pendula import _engine
 from pendula._angles import warn_of_degrees
 from pendula._checks import checked_progress, finite_number, states_array
+from pendula._late_methods import with_promised
 from pendula._messages import ArgumentError
 from pendula._progress import part, with_bar
 from pendula._rules import broken, refuse
@@ -23,8 +24,11 @@ from pendula.systems import System, check_system
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
+    from os import PathLike
     from typing import Unpack
 
+    import pandas as pd
+    import xarray as xr
     from numpy.typing import ArrayLike
 
     from pendula._progress import AskedProgress, Progress
@@ -35,19 +39,30 @@ if TYPE_CHECKING:
 _LOOKED_AT = 1000  # systems whose frequencies are compared, in some 20 ms
 
 
+@with_promised
 @dataclass(frozen=True, eq=False, repr=False, kw_only=True)
 class Ensemble(Runs):
     """What `ensemble` returns: n trajectories, with all that `Runs` says of them.
 
     Attributes:
         systems: the pendulum of all, or one of each.
-        method: the name of the method.
-        t: times of the outputs, (m,) [s].
+        starts: the states at t0, (n, d) [rad, rad/s].
+        task: what all runs have in common, the options among it.
     """
 
     systems: System | tuple[System, ...]
-    method: MethodName
-    t: Array
+    starts: Array
+    task: Task
+
+    @property
+    def method(self) -> MethodName:
+        """The name of the method."""
+        return self.task.method
+
+    @property
+    def t(self) -> Array:
+        """Times of the outputs, (m,) [s]."""
+        return self.task.t
 
     def __len__(self) -> int:
         return len(self.states)
@@ -86,6 +101,17 @@ class Ensemble(Runs):
             )
         energies[lacking] = np.nan
         return energies
+
+    if TYPE_CHECKING:  # attached by the module that defines them
+
+        def to_xarray(self) -> xr.Dataset:
+            """See `pendula.many.tables.to_xarray`."""
+
+        def to_pandas(self) -> pd.DataFrame:
+            """See `pendula.many.tables.to_pandas`."""
+
+        def save(self, path: str | PathLike[str], *, overwrite: bool = False) -> None:
+            """See `pendula.many.tables.save`."""
 
 
 def _several(systems: Any) -> str:
@@ -145,7 +171,7 @@ def ensemble(
     else:
         found = _runs_with_digits(task, systems, starts, task.digits, report)
     asked = system if isinstance(system, System) else systems
-    return Ensemble(systems=asked, method=task.method, t=task.t, **vars(found))
+    return Ensemble(systems=asked, starts=starts, task=task, **vars(found))
 
 
 def _checked_task(

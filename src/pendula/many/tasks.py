@@ -9,11 +9,13 @@ from typing import TYPE_CHECKING, NamedTuple
 from pendula import _engine
 from pendula._checks import check_threads
 from pendula._rules import refuse
+from pendula.run.events import crossings_table
 from pendula.run.options import Options
 from pendula.run.request import core_request
 
 if TYPE_CHECKING:
     import numpy as np
+    import pandas as pd
     from numpy.typing import NDArray
 
     from pendula._progress import Progress
@@ -56,6 +58,10 @@ class EnsembleCrossings(NamedTuple):
     trajectories: NDArray[np.int64]
     times: Array
     states: Array
+
+    def to_pandas(self) -> pd.DataFrame:
+        """A table with a row for each crossing, the trajectory's number first (extra: io)."""
+        return crossings_table(self.states, {"trajectory": self.trajectories, "t [s]": self.times})
 
 
 @dataclass(frozen=True, eq=False, repr=False, kw_only=True)
@@ -106,11 +112,13 @@ def run_task(
     return Runs(
         states=result.states(task.t.size, dimension),
         outcomes=np.array(result.outcomes),
-        n_steps=result.n_steps,
-        n_evaluations=result.n_evaluations,
+        n_steps=np.asarray(result.n_steps, np.int64),  # zarr takes no long long
+        n_evaluations=np.asarray(result.n_evaluations, np.int64),
         reached=result.reached,
         events=tuple(
-            EnsembleCrossings(each.trajectories, each.times, each.states(dimension))
+            EnsembleCrossings(
+                np.asarray(each.trajectories, np.int64), each.times, each.states(dimension)
+            )
             for each in result.events
         ),
         trust_horizon=None if task.certify is None else result.trust_horizon,

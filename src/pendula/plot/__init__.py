@@ -1,8 +1,9 @@
-"""Figures: trajectories or arrays in, a matplotlib figure out.
+"""Figures: trajectories or arrays in, a matplotlib figure out; animations into files.
 
 matplotlib is imported by the first figure drawn.
 """
 
+from pendula.plot.animation import animate
 from pendula.plot.comparison import angles, convergence, parting, series, tip_paths
 from pendula.plot.maps import divergence_map, flip_map, stored_map
 from pendula.plot.overview import trajectory
@@ -12,6 +13,7 @@ from pendula.plot.work_precision import work_precision
 
 __all__ = [
     "angles",
+    "animate",
     "convergence",
     "divergence_map",
     "elliptic_cost",

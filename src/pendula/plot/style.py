@@ -117,14 +117,15 @@ def styled(draw: Callable[P, Drawn]) -> Callable[P, Drawn]:
 
     @wraps(draw)
     def drawn(*args: P.args, **kwargs: P.kwargs) -> Drawn:
-        with _look() if kwargs.get("ax") is None else nullcontext():
+        with look() if kwargs.get("ax") is None else nullcontext():
             return draw(*args, **kwargs)
 
     return drawn
 
 
 @contextmanager
-def _look() -> Iterator[None]:
+def look() -> Iterator[None]:
+    """A context in which matplotlib draws in this look."""
     matplotlib = extra("matplotlib", "report")
     with matplotlib.rc_context():
         # From the defaults on, whatever a user's own settings are: figures are the same everywhere.
@@ -247,7 +248,7 @@ def picture(figure: Figure, kind: str, dots: float | None = None) -> bytes:
         "png": {"Software": None},
     }
     buffer = BytesIO()
-    with _look():
+    with look():
         figure.savefig(buffer, format=kind, metadata=undated[kind], dpi=dots)
     drawn = buffer.getvalue()
     return drawn.replace(_FONT, _FONTS) if kind == "svg" else drawn

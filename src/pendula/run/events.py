@@ -9,11 +9,14 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from pendula import _engine
 from pendula._angles import warn_of_degrees
-from pendula._checks import LARGEST_COUNT, finite_number, flag, one_of, whole_number
+from pendula._checks import LARGEST_COUNT, extra, finite_number, flag, one_of, whole_number
 from pendula._messages import ArgumentError
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable
+    from collections.abc import Iterable, Mapping
+
+    import pandas as pd
+    from numpy.typing import NDArray
 
     from pendula._types import Array
 
@@ -32,6 +35,20 @@ class Crossings(NamedTuple):
 
     times: Array
     states: Array
+
+    def to_pandas(self) -> pd.DataFrame:
+        """A table with a row for each crossing; columns such as "theta [rad]" (extra: io)."""
+        return crossings_table(self.states, {"t [s]": self.times})
+
+
+def crossings_table(states: Array, first: Mapping[str, NDArray[Any]]) -> pd.DataFrame:
+    """A table of crossings: other columns, then the components of the states (k, d)."""
+    pandas = extra("pandas", "io")
+    entries = _engine.system_entries().values()  # those of one dimension name their states alike
+    components = next(e.components for e in entries if len(e.components) == states.shape[1])
+    labels = [f"{each.name} [{each.unit}]" for each in components]
+    table: pd.DataFrame = pandas.DataFrame({**first, **dict(zip(labels, states.T, strict=True))})
+    return table
 
 
 @dataclass(frozen=True)

@@ -24,6 +24,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
     from numpy.typing import ArrayLike
 
+    from pendula._progress import Progress
     from pendula._types import Array
     from pendula.run.events import Crossings
     from pendula.run.request import Request
@@ -200,6 +201,22 @@ class Trajectory:
 
         def plot(self, *, ax: Any = None, language: str = "en") -> Any:
             """See `pendula.plot.trajectory`."""
+
+        def animate(
+            self,
+            path: str | PathLike[str],
+            *,
+            speed: float = 1.0,
+            fps: int | None = None,
+            trail: float = 1.0,
+            energy: bool = True,
+            size: tuple[int, int] = (720, 600),
+            names: Sequence[str] | None = None,
+            language: str = "en",
+            overwrite: bool = False,
+            progress: Progress = None,
+        ) -> None:
+            """See `pendula.plot.animate`."""
 
     def __repr__(self) -> str:
         span = f"t = {self.t[0]:g} … {self.t[-1]:g} s" if self.t.size else "no times"

@@ -72,6 +72,8 @@ class _Reader:
         return value
 
     def _number(self, section: str, key: str, rule: Rule, raw: Any) -> float:
+        if rule.whole and isinstance(raw, float) and raw.is_integer():
+            raw = int(raw)
         kinds = (int,) if rule.whole else (int, float)
         if not isinstance(raw, kinds) or isinstance(raw, bool):
             word = "a whole number" if rule.whole else "a number"

@@ -52,7 +52,8 @@ class Layout:
                 group.create_array(axis.name, **array)[:] = axis.values
         for each in work.variables:
             sizes = work.shape(each), self._chunk_shape(each)
-            array = _described(each.dims, *sizes, each.dtype, each.fill, each.attrs)
+            dtype = "str" if each.is_text else each.dtype
+            array = _described(each.dims, *sizes, dtype, each.fill, each.attrs)
             arrays[each.name] = group.create_array(each.name, **array)
         with warnings.catch_warnings():  # that it is no part of Zarr's specification yet
             warnings.simplefilter("ignore")
@@ -63,11 +64,13 @@ class Layout:
         steps = {axis.name: axis.step for axis in self.work.axes}
         return tuple(steps[dim] for dim in variable.dims)
 
-    def size(self, variable: Variable) -> int:
-        """Bytes of each chunk of a variable; one at the edge is padded."""
+    def size(self, variable: Variable) -> int | None:
+        """Bytes of each chunk of a variable; one at the edge is padded. None: of texts, any."""
         import numpy as np
 
-        return math.prod(self._chunk_shape(variable)) * np.dtype(variable.dtype).itemsize
+        if variable.is_text:
+            return None
+        return math.prod(self._chunk_shape(variable)) * np.dtype(variable.dtype).itemsize + CHECKSUM
 
     def name(self, variable: Variable, index: Index) -> str:
         """A chunk's file in the folder of its variable."""
@@ -90,7 +93,7 @@ def _described(
     shape: tuple[int, ...],
     chunks: tuple[int, ...],
     dtype: str,
-    fill: float | bool,
+    fill: float | bool | str,
     attrs: Any,
 ) -> dict[str, Any]:
     """An array of the store, in zarr-python's words."""
@@ -101,7 +104,7 @@ def _described(
         "dtype": dtype,
         "fill_value": fill,
         "filters": None,
-        "serializer": codecs.BytesCodec(endian="little"),
+        "serializer": "auto" if dtype == "str" else codecs.BytesCodec(endian="little"),
         "compressors": [codecs.Crc32cCodec()],
         "chunk_key_encoding": {"name": "default", "separator": "."},  # one folder an array
         "dimension_names": dims,
@@ -112,5 +115,7 @@ def _described(
 
 def whole(data: bytes) -> bool:
     """Whether a chunk's bytes are those its checksum was made of."""
+    if len(data) <= CHECKSUM:
+        return False
     checksum = extra("google_crc32c", "io").value(data[:-CHECKSUM])
     return bool(data[-CHECKSUM:] == checksum.to_bytes(CHECKSUM, "little"))

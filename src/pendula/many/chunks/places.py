@@ -44,6 +44,9 @@ class Place(Protocol):
     def write(self, key: str, data: bytes) -> None:
         """Write a file completely or not at all; durable once this returns."""
 
+    def remove(self, key: str) -> None:
+        """Remove a file, where it is there; durable once this returns."""
+
     def clear(self, kept: str) -> None:
         """Remove all but one file."""
 
@@ -122,6 +125,16 @@ class Folder:
         except OSError as error:
             raise _cannot_write(target, error) from error
 
+    def remove(self, key: str) -> None:
+        """Remove a file."""
+        target = self.path / key
+        try:
+            target.unlink(missing_ok=True)
+            if target.parent.is_dir():
+                sync_folder(target.parent)
+        except OSError as error:
+            raise _cannot_write(target, error) from error
+
     def clear(self, kept: str) -> None:
         """Remove all but one file."""
         for each in self.path.iterdir():
@@ -190,6 +203,11 @@ class Remote:
             self._files.pipe_file(f"{self._root}/{key}", data)
         except OSError as error:
             raise _cannot_write(f"{self.url}/{key}", error) from error
+
+    def remove(self, key: str) -> None:
+        """Remove an object."""
+        with suppress(FileNotFoundError):
+            self._files.rm_file(f"{self._root}/{key}")
 
     def clear(self, kept: str) -> None:
         """Remove all but one object."""

@@ -13,7 +13,8 @@ from typing import TYPE_CHECKING, Any
 
 from pendula._attributes import KEY
 from pendula._messages import Message
-from pendula.many.chunks.layout import CHECKSUM, ROOT, Layout, whole
+from pendula.many.chunks.growing import size_before
+from pendula.many.chunks.layout import NOTE, ROOT, UNFINISHED, Layout, whole
 
 if TYPE_CHECKING:
     from pendula.many.chunks.places import Place
@@ -40,10 +41,12 @@ class Store:
             self._refuse_other_things()
             place.write(ROOT, layout.unfinished)
         else:
-            self._refuse_other_stores(root, resume=resume, overwrite=overwrite)
+            size = self._refuse_other_stores(root, resume=resume, overwrite=overwrite)
             if overwrite:
                 place.clear(kept=ROOT)
                 place.write(ROOT, layout.unfinished)
+            elif size is not None:
+                self._make_room(root, size)
         place.sizes("")  # for the leftovers at the top
         missing = self._missing()
         damaged = {key: data for key, data in layout.rest.items() if place.read(key) != data}
@@ -52,6 +55,22 @@ class Store:
         for key, data in damaged.items():
             place.write(key, data)
         return missing
+
+    def _make_room(self, root: bytes, size: int) -> None:
+        """Let a store of `size` values grow; its last chunk, where it is not full, is made again.
+
+        That chunk is removed before the root names the larger work: whenever this is stopped, the
+        store is that of one of the two, without that chunk.
+        """
+        place, layout, work = self._place, self._layout, self._work
+        (axis,) = work.cut
+        if size % axis.step:
+            known = json.loads(root)
+            known["attributes"][UNFINISHED] = NOTE
+            place.write(ROOT, json.dumps(known).encode())
+            for each in work.variables:
+                place.remove(f"{each.name}/{layout.name(each, (size // axis.step,))}")
+        place.write(ROOT, layout.unfinished)
 
     def put(self, chunk: Chunk, arrays: Arrays) -> None:
         """Write a chunk; durable once this returns."""
@@ -77,12 +96,13 @@ class Store:
         place, layout, work = self._place, self._layout, self._work
         missing: set[Index] = set()
         for variable in work.variables:
-            sizes, right = place.sizes(variable.name), layout.size(variable) + CHECKSUM
+            sizes, right = place.sizes(variable.name), layout.size(variable)
             for index in work.indices():
                 name = layout.name(variable, index)
                 if index in missing:
                     continue
-                if sizes.get(name) != right or not self._sound(f"{variable.name}/{name}"):
+                fits = name in sizes and right in (None, sizes[name])
+                if not fits or not self._sound(f"{variable.name}/{name}"):
                     missing.add(index)
         return [index for index in work.indices() if index in missing]
 
@@ -100,7 +120,8 @@ class Store:
                 "choose another name"
             )
 
-    def _refuse_other_stores(self, root: bytes, *, resume: bool, overwrite: bool) -> None:
+    def _refuse_other_stores(self, root: bytes, *, resume: bool, overwrite: bool) -> int | None:
+        """The size of a store that this work goes on with; None: it has the same size."""
         place = self._place
         there = identity_of(root)
         if there is None:
@@ -109,19 +130,16 @@ class Store:
                 "choose another name"
             )
         if overwrite:
-            return
+            return None
+        size = size_before(self._work, there)
         different = first_difference(there, json.loads(self._work.identity))
-        if different is not None:
+        if different is not None and size is None:
             name, old, new = different
-            raise ValueError(
-                Message(
-                    "",
-                    "{path} holds another computation: {text}",
-                    "choose another name, or pass <overwrite=True>",
-                    path=place,
-                    text=f"{name} is {old} there and {new} here",
-                )
-            )
+            text = f"holds another computation: {name} is {old} there and {new} here"
+            if name == "format":
+                text = "is in the format of an earlier version: it can be read, not gone on with"
+            way_out = "choose another name, or pass <overwrite=True>"
+            raise ValueError(Message("", "{path} {text}", way_out, path=place, text=text))
         if not resume:
             raise FileExistsError(
                 Message(
@@ -132,6 +150,7 @@ class Store:
                     path=place,
                 )
             )
+        return size
 
 
 def identity_of(root: bytes) -> Any:

@@ -58,7 +58,7 @@ class Variable:
     Attributes:
         name: of the variable.
         dims: names of its axes, all the cut ones among them.
-        dtype: numpy's name of the type: "float64", "uint8", "bool" …
+        dtype: numpy's name of the type: "float64", "uint8", "bool", or "<U11" of texts …
         fill: what stands where no chunk has been written.
         attrs: units and the like.
     """
@@ -66,8 +66,13 @@ class Variable:
     name: str
     dims: tuple[str, ...]
     dtype: str
-    fill: float | bool
+    fill: float | bool | str
     attrs: Mapping[str, Any] = field(default_factory=dict)
+
+    @property
+    def is_text(self) -> bool:
+        """Whether it holds texts, whose length in a store is their own."""
+        return self.dtype.startswith("<U")
 
 
 @dataclass(frozen=True)
@@ -118,6 +123,8 @@ class Work:
         attrs: of the whole, besides the inputs.
         mirrored: the result is the same when all cut axes are turned round, bit for bit: of each
             pair of chunks one is computed. Chunks then have to divide their axes.
+        growing: keys of a whole number in the inputs that the size of the one cut axis is a
+            multiple of; a larger number leaves what there is as it is. Empty: there is none.
     """
 
     inputs: Mapping[str, Any]
@@ -126,6 +133,7 @@ class Work:
     compute: Compute
     attrs: Mapping[str, Any] = field(default_factory=dict)
     mirrored: bool = False
+    growing: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
         sizes = {axis.name: axis.size for axis in self.axes}
@@ -199,7 +207,10 @@ class Work:
         import numpy as np
 
         found = {name: (np.dtype(a.dtype).name, a.shape) for name, a in arrays.items()}
-        expected = {each.name: (each.dtype, self.shape(each, chunk)) for each in self.variables}
+        expected = {
+            each.name: (np.dtype(each.dtype).name, self.shape(each, chunk))
+            for each in self.variables
+        }
         if found != expected:
             raise ValueError(f"chunk {chunk.index} must be {expected}, got {found}")
         return {each.name: arrays[each.name] for each in self.variables}

@@ -1,8 +1,7 @@
 """Sets of parameters and starts: grids and random draws, each row by itself, the same everywhere.
 
-Row i follows from the description and from i alone: not from the rows asked for together, nor from
-the machine. A normal distribution is not among them: it would take a logarithm, whose
-last bit differs from one C library to the next.
+Row i follows from the description and from i alone: not from the rows asked for together, the
+number of draws, or the machine.
 """
 
 from pendula.many.sampling.distributions import (
@@ -13,6 +12,7 @@ from pendula.many.sampling.distributions import (
     Grid,
     Listed,
     LogUniform,
+    Normal,
     SameAs,
     Uniform,
 )
@@ -27,6 +27,7 @@ __all__ = [
     "Grid",
     "Listed",
     "LogUniform",
+    "Normal",
     "SameAs",
     "Sampler",
     "Uniform",

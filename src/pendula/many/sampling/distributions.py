@@ -9,8 +9,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from pendula._checks import LARGEST_COUNT, finite_number, whole_number
+from pendula._checks import LARGEST_COUNT, counted, finite_number, positive_number
 from pendula.many.sampling.bits import exp2, log2_ratio, units
+from pendula.many.sampling.normal import FARTHEST, normals
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -84,6 +85,34 @@ class LogUniform:
 
 
 @dataclass(frozen=True)
+class Normal:
+    """Normally distributed; no value is farther than 8.3 standard deviations from the mean."""
+
+    mean: float
+    deviation: float
+
+    def __post_init__(self) -> None:
+        mean = finite_number("mean", self.mean)
+        deviation = positive_number("the standard deviation", self.deviation)
+        if not math.isfinite(abs(mean) + FARTHEST * deviation):
+            rule = "a normal must not be wider than numbers go"
+            raise ValueError(f"{rule}, got mean {mean!r} and standard deviation {deviation!r}")
+        object.__setattr__(self, "mean", mean)
+        object.__setattr__(self, "deviation", deviation)
+
+    @property
+    def ends(self) -> tuple[float, float]:
+        """Smallest and largest value."""
+        reach = FARTHEST * self.deviation
+        return self.mean - reach, self.mean + reach
+
+    def drawn(self, words: NDArray[np.uint64]) -> Array:
+        """The values (n,) of random words (n,)."""
+        values: Array = self.mean + self.deviation * normals(words)
+        return values
+
+
+@dataclass(frozen=True)
 class Choice:
     """One of some values, each equally likely."""
 
@@ -114,7 +143,7 @@ class Grid:
 
     def __post_init__(self) -> None:
         _check_range(self, self.low, self.high)
-        count = whole_number("the count of a grid", self.count, LARGEST_COUNT)
+        count = counted("the count of a grid", self.count, LARGEST_COUNT)
         if count < 2:
             raise ValueError("a grid must have at least 2 values, got 1; name the one value alone")
         if not math.isfinite(max(-self.low, self.high) * count):
@@ -165,11 +194,12 @@ class SameAs:
     column: str
 
 
-Distribution = Fixed | Uniform | LogUniform | Choice | Grid | Listed | SameAs
+Distribution = Fixed | Uniform | LogUniform | Normal | Choice | Grid | Listed | SameAs
 KINDS: dict[str, Callable[..., Distribution]] = {
     "fixed": Fixed,
     "uniform": Uniform,
     "log_uniform": LogUniform,
+    "normal": Normal,
     "choice": Choice,
     "grid": Grid,
     "list": Listed,

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from pendula._checks import LARGEST_COUNT, one_of, whole_number
+from pendula._checks import LARGEST_COUNT, counted, one_of
 from pendula._messages import ArgumentError
 from pendula.many.sampling.bits import words
 from pendula.many.sampling.distributions import (
@@ -19,6 +19,7 @@ from pendula.many.sampling.distributions import (
     Grid,
     Listed,
     LogUniform,
+    Normal,
     SameAs,
     Uniform,
 )
@@ -34,7 +35,8 @@ LARGEST_SEED = 2**64 - 1
 class Sampler:
     """Rows of named values: every point of the grids, each with as many random draws as asked for.
 
-    The first grid changes slowest, the draws of one point follow one another.
+    One pass through all points follows another, a pass for each draw, so that more draws leave the
+    rows that there are as they are. Within a pass the first grid changes slowest.
 
     Args:
         columns: names and where their values come from; grids and draws in any mixture.
@@ -58,7 +60,7 @@ class Sampler:
         for name, each in self.columns:
             if isinstance(each, SameAs):
                 one_of(f"{name}: same_as", each.column, known)
-        whole_number("draws", self.draws, LARGEST_COUNT)
+        object.__setattr__(self, "draws", counted("draws", self.draws, LARGEST_COUNT))
         if self.draws > 1 and not self.random:
             rule = "must be 1 where nothing is random, got {value}"
             raise ArgumentError("draws", rule, value=self.draws)
@@ -71,7 +73,9 @@ class Sampler:
     @property
     def random(self) -> bool:
         """Whether any column is random."""
-        return any(isinstance(each, Uniform | LogUniform | Choice) for _, each in self.columns)
+        return any(
+            isinstance(each, Uniform | LogUniform | Normal | Choice) for _, each in self.columns
+        )
 
     @property
     def count(self) -> int:
@@ -91,9 +95,9 @@ class Sampler:
         """
         if not 0 <= start <= stop <= self.count:
             raise IndexError(f"there are rows 0 to {self.count}, not {start} to {stop}")
-        point = np.arange(start, stop, dtype=np.int64) // self.draws
         made: dict[str, Array] = {}
         slower = math.prod(self.shape)
+        point = np.arange(start, stop, dtype=np.int64) % slower
         for name, each in self.columns:
             if isinstance(each, Grid | Listed):
                 slower //= each.count

@@ -14,6 +14,7 @@ from pendula.many.sampling import (
     Grid,
     Listed,
     LogUniform,
+    Normal,
     SameAs,
     Uniform,
 )
@@ -25,7 +26,12 @@ if TYPE_CHECKING:
     from pendula._engine import Component, Form, Parameter
     from pendula._recipe_file import RecipeFile
 
-_RANGES: dict[str, type[Uniform | LogUniform]] = {"uniform": Uniform, "log_uniform": LogUniform}
+_RANGED: dict[str, type[Uniform | LogUniform | Normal]] = {
+    "uniform": Uniform,
+    "log_uniform": LogUniform,
+    "normal": Normal,
+}
+_PAIRS = {"grid": "two ends and a count", "normal": "a mean and a standard deviation"}
 _LISTS: dict[str, type[Choice | Listed]] = {"choice": Choice, "list": Listed}
 _NAMES = [name for name in KINDS if name != "fixed"]  # a quantity alone is one
 
@@ -106,13 +112,13 @@ class Columns:
         if kind in _LISTS:
             return _LISTS[kind](tuple(numbers))
         if len(numbers) != 2:
-            rule = "two ends and a count" if kind == "grid" else "two ends"
+            rule = _PAIRS.get(kind, "two ends")
             message = f"{where}: {kind} must be {rule}, got {as_toml(value)}; {_example(row)}"
             raise ValueError(message)
         try:
             if kind == "grid":
                 return Grid(numbers[0], numbers[1], value[-1])
-            return _RANGES[kind](numbers[0], numbers[1])
+            return _RANGED[kind](numbers[0], numbers[1])
         except ValueError as error:
             raise ValueError(f"{where}: {error}") from None
 
@@ -153,8 +159,10 @@ class Columns:
             return
         low = column.ends[0]
         if low < 0 or (low == 0 and not row.zero_allowed):
-            rule = "not be negative" if row.zero_allowed else "be positive"
-            raise self._wrong("system", row, f"must {rule}", self._file.tables["system"][row.name])
+            rule = "must not be negative" if row.zero_allowed else "must be positive"
+            if isinstance(column, Normal):
+                rule += ", 8.3 standard deviations below its mean too"
+            raise self._wrong("system", row, rule, self._file.tables["system"][row.name])
 
     def _wrong(
         self, section: str, row: Parameter | Component, rule: str, raw: object

@@ -10,7 +10,7 @@ from pendula._attributes import KEY
 from pendula._checks import extra
 from pendula._writing import replacing
 from pendula.many.chunks import computed
-from pendula.many.sweep.rows import ENDS, ROW, TIME
+from pendula.many.sweep.rows import ROW, TIME
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator
@@ -29,7 +29,7 @@ def write_parquet(
 ) -> xr.Dataset:
     """Write all rows; what each has once.
 
-    Columns are called as those of other tables, "theta1 [rad]"; the outcome is its name.
+    Columns are called as those of other tables, "theta1 [rad]".
     """
     import numpy as np
 
@@ -62,14 +62,15 @@ class _Table:
     """The columns of the file."""
 
     def __init__(self, work: Work) -> None:
+        import numpy as np
+
         self._arrow = arrow = extra("pyarrow", "io")
         self._work = work
         self._times: Any = {axis.name: axis.values for axis in work.axes}[TIME]
         fields = [(ROW, arrow.int64()), ("t [s]", arrow.list_(arrow.float64()))]
         for each in work.variables:
-            kind = arrow.from_numpy_dtype(each.dtype)
-            if each.name == "outcome":
-                kind = arrow.string()
+            text = np.dtype(each.dtype).kind == "U"
+            kind = arrow.string() if text else arrow.from_numpy_dtype(each.dtype)
             fields.append((_column(each), arrow.list_(kind) if TIME in each.dims else kind))
         self.schema = arrow.schema(fields, metadata={KEY: work.identity})
 
@@ -87,9 +88,7 @@ class _Table:
         columns = [arrow.array(rows), self._lists(np.stack([self._times] * len(rows)))]
         for each in self._work.variables:
             values = arrays[each.name]
-            if each.name == "outcome":
-                columns.append(arrow.array(np.array(ENDS, object)[values], arrow.string()))
-            elif values.ndim == 1:
+            if values.ndim == 1:
                 columns.append(arrow.array(values))
             else:
                 columns.append(self._lists(values))

@@ -8,12 +8,12 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from pendula import _engine
-from pendula._checks import LARGEST_COUNT, one_of, whole_number
+from pendula._checks import LARGEST_COUNT, counted, one_of
 from pendula._recipe_file import RecipeFile, as_toml
 from pendula._rules import refuse
 from pendula.many.sampling import LARGEST_SEED, Distribution, SameAs, Sampler
 from pendula.many.sweep.columns import Columns
-from pendula.many.sweep.recipe import SweepRecipe
+from pendula.many.sweep.recipe import COLUMNS, DTYPES, SweepRecipe
 from pendula.run.options import BEST_TOLERANCE, ROWS, STANDARD_METHOD, checked_types
 from pendula.run.request import Request, checked_name
 from pendula.run.stiffness import warn_of_stiffness
@@ -25,18 +25,20 @@ if TYPE_CHECKING:
 
 MOST_CHUNKS = 10**6
 MOST_OUTPUTS = 10**7  # states of a chunk: 320 MB for the double pendulum
-_CHUNK = 1000  # rows, if none are named
+_CHUNK = 10**4  # rows at most, if none are named
+_CHUNK_OUTPUTS = 10**6  # … and outputs of each variable: 8 MB
 _OPTIONS = ("step", "tolerance", "max_steps", "certify")  # of each run
-_RUN = ("method", "t_max", "every", *_OPTIONS, "draws", "seed", "chunk")
+_RUN = ("method", "t_max", "every", *_OPTIONS, "draws", "seed", "chunk", "dtype", "columns")
 
 
 def read_sweep(recipe: RecipeSource) -> SweepRecipe:
     """The recipe in a file, or in a dict of its tables.
 
     A parameter or a component of the start is a quantity, or a table of one key: `uniform` or
-    `log_uniform` of two ends, `choice` of a list, all random; `grid` of two ends and a count or
-    `list` of values, of which all are taken with all of the others; `same_as` another. Each point
-    of the grids is run with as many random draws as `run.draws` says. What [system] and [state]
+    `log_uniform` of two ends, `normal` of a mean and a standard deviation, `choice` of a list, all
+    random; `grid` of two ends and a count or `list` of values, of which all are taken with all of
+    the others; `same_as` another. Each point of the grids is run with as many random draws as
+    `run.draws` says. What [system] and [state]
     leave out is as `pendula solve` takes it.
 
     Args:
@@ -58,8 +60,9 @@ def read_sweep(recipe: RecipeSource) -> SweepRecipe:
     first = columns.parameters(form)
     run = _Run(file, _systems(file, entry, form, first))
     sampler = run.sampler((*first, *columns.components(entry.components)))
+    options = run.options()
     made = SweepRecipe(
-        system=entry.name, form=form.name, sampler=sampler, **run.options(), chunk=run.chunk()
+        system=entry.name, form=form.name, sampler=sampler, **options, **run.written(**options)
     )
     _check_size(file, made)
     return made
@@ -109,6 +112,8 @@ class _Run:
     def sampler(self, columns: tuple[tuple[str, Distribution], ...]) -> Sampler:
         """The columns with the draws and the seed."""
         draws, seed = self._whole("draws", LARGEST_COUNT), self._given.get("seed", 0)
+        if isinstance(seed, float) and seed.is_integer():
+            seed = int(seed)
         if draws is None and Sampler(columns).random:
             message = "run.draws is needed where anything is random; write draws = 1000, say"
             raise self._file.blame("run", ("",), message)
@@ -142,9 +147,24 @@ class _Run:
             options["tolerance"] = BEST_TOLERANCE
         return {"method": method, "t_max": t_max, "every": every, **options}
 
-    def chunk(self) -> int:
-        """Rows worked on together."""
-        return self._whole("chunk", LARGEST_COUNT) or _CHUNK
+    def written(self, t_max: float, every: float | None, **_: Any) -> dict[str, Any]:
+        """What is written and in which portions: never a matter of how many draws there are."""
+        given = self._given.get("columns", [])
+        columns = [given] if isinstance(given, str) else given
+        with self._file.blaming("run", "dtype"):
+            dtype = one_of("dtype", self._given.get("dtype", DTYPES[0]), DTYPES)
+        with self._file.blaming("run", "columns"):
+            if not isinstance(columns, list):
+                one_of("columns", columns, COLUMNS)
+            for each in columns:
+                one_of("columns", each, COLUMNS)
+        times = 1.0 if every is None else t_max / every + 1
+        most = max(1, min(_CHUNK, int(_CHUNK_OUTPUTS / times)))
+        return {
+            "chunk": self._whole("chunk", LARGEST_COUNT) or most,
+            "dtype": dtype,
+            "columns": tuple(each for each in COLUMNS if each in columns),
+        }
 
     def _option(self, row: OptionRow) -> Any:
         """An option: a quantity in quotes where it has a unit, else a number."""
@@ -153,7 +173,7 @@ class _Run:
             return self._time(row.name)
         if raw is not None and row.unit:
             return self._quantity(row.name, row.unit, raw)
-        return raw
+        return int(raw) if row.whole and isinstance(raw, float) and raw.is_integer() else raw
 
     def _time(self, key: str) -> float | None:
         raw = self._given.get(key)
@@ -178,7 +198,7 @@ class _Run:
         if raw is None:
             return None
         with self._file.blaming("run", key):
-            return whole_number(key, raw, most)
+            return counted(key, raw, most)
 
 
 def _check_size(file: RecipeFile, recipe: SweepRecipe) -> None:

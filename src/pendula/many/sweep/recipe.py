@@ -18,6 +18,10 @@ if TYPE_CHECKING:
     from pendula._types import Array, MethodName
 
 
+DTYPES = ("float64", "float32")
+COLUMNS = ("positions", "derivatives")
+
+
 @dataclass(frozen=True, kw_only=True)
 class SweepRecipe(Options):
     """A checked recipe; `read_sweep` makes it from a file, `sweep_from` from `resolved`.
@@ -31,6 +35,8 @@ class SweepRecipe(Options):
         t_max: end of each run, which begins at 0 [s].
         every: time between outputs; None: the end alone [s].
         chunk: rows worked on and written together.
+        dtype: of what stands over rows and times: "float64" or "float32".
+        columns: what is written over rows and times besides states and energies: of `COLUMNS`.
     """
 
     system: str
@@ -40,6 +46,8 @@ class SweepRecipe(Options):
     t_max: float
     every: float | None
     chunk: int
+    dtype: str = "float64"
+    columns: tuple[str, ...] = ()
 
     @property
     def parameters(self) -> tuple[str, ...]:
@@ -78,13 +86,26 @@ class SweepRecipe(Options):
     def resolved(self) -> dict[str, Any]:
         """The recipe as data that JSON can hold, in SI units; the same for the same numbers."""
         known = {field.name: getattr(self, field.name) for field in fields(self)}
-        return {**known, "sampler": self.sampler.description(), **self.described()}
+        written = {"sampler": self.sampler.description(), "columns": list(self.columns)}
+        return {**known, **written, **self.described()}
 
 
 def sweep_from(resolved: dict[str, Any]) -> SweepRecipe:
-    """The recipe that `SweepRecipe.resolved` described."""
-    known = {
-        each.name: resolved[each.name] for each in fields(SweepRecipe) if each.name not in OPTIONS
-    }
+    """The recipe that `SweepRecipe.resolved` described.
+
+    Raises:
+        ValueError: for one of an earlier version whose rows were in another order.
+    """
     sampler = sampler_from(resolved["sampler"])
-    return SweepRecipe(**{**known, "sampler": sampler, **options_from(resolved)})
+    if "dtype" not in resolved and sampler.draws > 1 and sampler.shape:
+        raise ValueError(
+            "the recipe is of an earlier version, where the draws of a point of the grids followed "
+            "one another; read its rows from its file, or run its TOML file again"
+        )
+    known = {
+        each.name: resolved[each.name]
+        for each in fields(SweepRecipe)
+        if each.name not in OPTIONS and each.name in resolved
+    }
+    written = {"sampler": sampler, "columns": tuple(resolved.get("columns", ()))}
+    return SweepRecipe(**{**known, **written, **options_from(resolved)})

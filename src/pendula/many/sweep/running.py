@@ -51,15 +51,16 @@ def sweep(
         threads: None: one for each processor; on a cluster one for each task.
         progress: called with the part that is done, 0 to 1; True: a bar, in a notebook or a
             terminal.
-        resume: resume an existing store; else it is refused.
+        resume: resume an existing store, also one of the same recipe with fewer draws: its rows
+            stay, those of the other draws follow; else it is refused.
         overwrite: overwrite an existing one.
 
     Returns:
         Dims (row, t). For each row the parameters of its system, by name, its start (`theta1_start`
-        …), `outcome` as a number whose meanings the attributes list, `n_steps`, `reached` [s], and
-        `trust_horizon` [s] if the recipe asks for it; over (row, t) the state (`theta1` …)
-        [rad, rad/s] and the `energy` [J]. Of a store it is read when it is used; of a Parquet file
-        it has only what each row has once.
+        …), `outcome`, `n_steps`, `reached` [s], and `trust_horizon` [s] if the recipe asks for it;
+        over (row, t) the state (`theta1` …) [rad, rad/s] and the `energy` [J], and on request the
+        positions (`x1` …) [m] and the state's rates of change (`dtheta1_dt` …). Of a store it is
+        read when it is used; of a Parquet file it has only what each row has once.
 
     Raises:
         ValueError: for a broken recipe, a store of another recipe, or another ending.
