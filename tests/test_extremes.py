@@ -70,7 +70,7 @@ def test_the_smallest_swings_of_two(
 
 @pytest.mark.parametrize("method", ["taylor", "dop853"])
 @pytest.mark.parametrize(("amplitude", "digits"), [(1e-310, 1e-11), (1e-313, 1e-8), (1e-315, 1e-6)])
-def test_below_the_normal_numbers(amplitude: float, digits: float, method: str) -> None:
+def test_below_the_normal_numbers(amplitude: float, digits: float, method: MethodName) -> None:
     """As far as the digits go that are left there."""
     for system in (SimplePendulum(0.5), LinearPendulum(0.5)):
         right = exact(system, (1e-9, 2e-9), [2.0]).states[0] * 1e9
@@ -80,7 +80,7 @@ def test_below_the_normal_numbers(amplitude: float, digits: float, method: str) 
 
 @pytest.mark.parametrize("method", ["taylor", "dop853"])
 @pytest.mark.parametrize("gravity", [1e-100, 1e-40, 1e-20, 1e-12, 1e12, 1e20, 1e40, 1e100])
-def test_motions_of_any_frequency_are_alike(gravity: float, method: str) -> None:
+def test_motions_of_any_frequency_are_alike(gravity: float, method: MethodName) -> None:
     """With a time that is counted in periods; alone and through the lanes."""
     unit = float(sqrt(mpf(9.8) / mpf(gravity)))
     for make, state in (

@@ -196,7 +196,7 @@ def test_sections_and_lanes_go_on(event: Event) -> None:
     ],
 )
 def test_an_event_at_the_instant_of_the_end_is_reported(
-    ending: Event, other: Event, method: str, way: int
+    ending: Event, other: Event, method: MethodName, way: int
 ) -> None:
     """In whatever order they are listed; the next run, which starts there, would not find it."""
     counts = []

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import math
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 import pytest
 
 from pendula import DoublePendulum, SimplePendulum, exact, solve
+from pendula._types import MethodName
 from pendula.analysis import largest_energy_errors, step_energy_errors
 from pendula.plot.labels import labels
 from pendula.study.facts import facts
@@ -58,7 +59,7 @@ def test_energy_errors_of_the_report_are_largest_over_the_steps(results: Results
     rows = facts(results, words, Numbers(words), "0")["double"]["rows"]
     for name, row in zip(double.runs, rows, strict=True):
         asked = double.runs[name].request
-        steps = solve(double.system, asked.state, part.t_max, name, step=part.step)
+        steps = solve(double.system, asked.state, part.t_max, cast("Any", name), step=part.step)
         error = np.abs(steps.energy_error)
         largest, early = double.energy_errors[name], double.reference.t <= 10.0
         if name != "euler":
@@ -83,7 +84,9 @@ def test_the_energy_figure_draws_what_is_largest_over_the_steps(results: Results
 
 @pytest.mark.parametrize("end", [2.0, -2.0])
 @pytest.mark.parametrize(("method", "how"), [("rk4", {"step": 0.01}), ("taylor", {})])
-def test_energy_errors_between_outputs_count(end: float, method: str, how: dict[str, Any]) -> None:
+def test_energy_errors_between_outputs_count(
+    end: float, method: MethodName, how: dict[str, Any]
+) -> None:
     system, start = DoublePendulum.rods(), (2.0, 2.5, 0.0, 0.0)
     thin = solve(system, start, np.linspace(0.0, end, 4), method, **how)
     steps = np.abs(solve(system, start, end, method, **how).energy_error)

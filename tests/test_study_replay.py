@@ -13,6 +13,7 @@ import numpy as np
 import pytest
 
 from pendula import DoublePendulum, LinearPendulum, SimplePendulum, exact, plot, solve
+from pendula._types import MethodName
 from pendula.plot.labels import labels
 from pendula.study import report
 from pendula.study.motions import _motion
@@ -34,7 +35,7 @@ def values(steps: list[int], parts: float) -> np.ndarray:
 
 
 @pytest.mark.parametrize("method", ["taylor", "rk4", "euler"])
-def test_rates_and_energies_are_those_of_the_run(method: str) -> None:
+def test_rates_and_energies_are_those_of_the_run(method: MethodName) -> None:
     run = solve(RODS, START, T, method, step=None if method == "taylor" else 0.01)
     (kept,) = stored({method: run}, [1.0, 1.0])["runs"]
     for i in (0, 1):

@@ -8,7 +8,7 @@ import inspect
 import math
 import pickle
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, get_args
+from typing import TYPE_CHECKING, Any, cast, get_args
 
 import numpy as np
 import pytest
@@ -219,7 +219,7 @@ def test_what_is_no_run() -> None:
     others: tuple[Any, ...] = (None, {}, many, "run.csv")
     for other in others:
         assert "must be what solve or exact returned" in told(lambda o=other: plot.trajectory(o))
-    assert "plot.flip_map" in told(lambda: plot.trajectory(xr.Dataset()))  # type: ignore[arg-type]
+    assert "plot.flip_map" in told(lambda: plot.trajectory(cast("Any", xr.Dataset())))
     assert told(lambda: exact(SIMPLE, [(1, 0)] * 3, 1.0).plot()).endswith("; draw them one by one")
     assert "pendula.analysis.work_precision" in told(lambda: plot.work_precision([many]))  # type: ignore[list-item]
 

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from pendula.run.request import checked_name
 from pendula.run.solve import solve
 
 if TYPE_CHECKING:
@@ -33,7 +34,9 @@ def step_energy_errors(run: Trajectory) -> tuple[Array, Array]:
     if no_steps or isinstance(asked.t, float):
         return t, errors
     options = replace(asked, certify=None).options
-    again = solve(run.system, asked.state, asked.end, run.method, t0=asked.t0, **options)
+    again = solve(
+        run.system, asked.state, asked.end, checked_name(run.method), t0=asked.t0, **options
+    )
     t, errors = np.concatenate([t, again.t]), np.concatenate([errors, _errors(again)])
     order = np.argsort(t if asked.end > asked.t0 else -t, kind="stable")
     return t[order], errors[order]

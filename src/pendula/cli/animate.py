@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from pendula import _engine
-from pendula.cli.groups import ChoiceGroup, one_each, systems_that
+from pendula.cli.groups import ChoiceGroup, one_each
 from pendula.cli.options import (
     run_options,
     run_options_of,
@@ -20,6 +20,8 @@ from pendula.cli.options import (
 )
 from pendula.cli.progress import late_bar, work_bar
 from pendula.cli.run import seconds, span_of, start_time
+from pendula.run.options import STANDARD_METHOD
+from pendula.systems import systems_that
 
 if TYPE_CHECKING:
     from pendula._engine import SystemEntry
@@ -98,6 +100,7 @@ def _options(entry: SystemEntry) -> list[click.Parameter]:
 
 
 def _of_system(entry: SystemEntry, **given: Any) -> None:
+    from pendula.run.request import checked_name
     from pendula.run.solve import solve
 
     check = _checked(given)
@@ -105,8 +108,8 @@ def _of_system(entry: SystemEntry, **given: Any) -> None:
     t0, t_max = seconds(given, "t0"), seconds(given, "t_max")
     span_of(t0, t_max)
     options, runs = run_options_of(given), []
-    methods = given["method"] or ("taylor",)
-    for method in methods:
+    methods = given["method"] or (STANDARD_METHOD,)
+    for method in map(checked_name, methods):
         own = _taken(options, method) if len(methods) > 1 else options
         with late_bar(method) as progress:
             runs.append(solve(system, start, t_max, method, t0=t0, progress=progress, **own))
@@ -176,7 +179,7 @@ def _size(text: str) -> tuple[int, int]:
 
 def _command() -> ChoiceGroup:
     about = "Animate trajectories: FILES that were saved, or a new run."
-    group = one_each("animate", about, systems_that(), _options, _of_system, _FilesOrSystem)
+    group = one_each("animate", about, systems_that(), _options, _of_system, kind=_FilesOrSystem)
     group.subcommand_metavar = "FILE…|SYSTEM [OPTIONS]"
     files = click.Command(
         _FILES,

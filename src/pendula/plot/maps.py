@@ -107,8 +107,7 @@ def flip_map(
     check_dataset(dataset, "flip_map")
     words, colours = labels(language), palette(colormap)
     one_of("ticks", ticks, ("degrees", "pi"))
-    one_of("unresolved", unresolved, ("pale", "shown"))
-    paled = unresolved == "pale" and "resolved" in dataset
+    paled = one_of("unresolved", unresolved, ("pale", "shown")) == "pale" and "resolved" in dataset
     names = ("flip_time", "forbidden", *(("resolved",) if paled else ()))
     grid, cells = picked(dataset, names, "flip_map")
     scale = time_scale(dataset.attrs, time_unit)

@@ -6,7 +6,7 @@ import inspect
 import textwrap
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, fields
-from typing import TYPE_CHECKING, Any, TypedDict, cast
+from typing import TYPE_CHECKING, Any, Final, TypedDict, cast
 
 from pendula import _engine
 from pendula._checks import number, whole_number
@@ -65,7 +65,7 @@ class Options:
 
 
 ROWS = {row.name: row for row in _engine.option_rows()}
-STANDARD_METHOD = "taylor"  # of runs for which none is named
+STANDARD_METHOD: Final = "taylor"  # of runs for which none is named
 BEST_TOLERANCE = ROWS["tolerance"].least
 NAMES = tuple(each.name for each in fields(Options))
 

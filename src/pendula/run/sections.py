@@ -8,8 +8,9 @@ from typing import TYPE_CHECKING
 
 from pendula import _engine
 from pendula._angles import warn_of_degrees
-from pendula._checks import check_progress, finite_number, whole_number
+from pendula._checks import checked_progress, finite_number, whole_number
 from pendula._messages import ArgumentError
+from pendula._progress import with_bar
 from pendula._rules import refuse
 from pendula.run.events import Crossings, Event, checked_events, crossings_of
 from pendula.run.options import checked_types, takes_options
@@ -23,7 +24,7 @@ if TYPE_CHECKING:
 
     from numpy.typing import ArrayLike
 
-    from pendula._progress import Progress
+    from pendula._progress import AskedProgress
     from pendula._types import Array
     from pendula.run.options import RunOptions
 
@@ -32,6 +33,7 @@ _MOST_STEPS = 10**8  # about a minute
 _OPTIONS = "tolerance", "max_steps"
 
 
+@with_bar("section")
 @takes_options(*_OPTIONS, max_steps="a hundred million")
 def poincare_section(
     system: System,
@@ -40,7 +42,7 @@ def poincare_section(
     n: int,
     *,
     t0: float = 0.0,
-    progress: Progress = None,
+    progress: AskedProgress = None,
     **options: Unpack[RunOptions],
 ) -> Crossings:
     """The first n crossings of a surface by the motion from a state, with the Taylor method.
@@ -53,7 +55,7 @@ def poincare_section(
         event: the surface, such as angle(1, 0.0, direction=1, every_turn=True).
         n: how many crossings.
         t0: time of the state [s].
-        progress: called with the part of the crossings that is found, 0 to 1.
+        progress: called with the part of the crossings that is found, 0 to 1; True: a bar.
         **options: see `RunOptions`.
 
     Returns:
@@ -63,7 +65,7 @@ def poincare_section(
         ValueError: for an argument out of range, or where the motion does not cross so often.
     """
     check_system(system)
-    check_progress(progress)
+    report = checked_progress(progress)
     count, surface = whole_number("n", n, _MOST_CROSSINGS), _surface(event)
     start = checked_state(state, system, "call poincare_section for each")
     check_angles(system, start)
@@ -71,7 +73,7 @@ def poincare_section(
     asked = _asked(start, t0, replace(surface, terminal=count), options).for_core(system, "taylor")
     refuse(_engine.check(asked), digits=False)
     check_reachable(system, start, surface, count)
-    result = _engine.solve(asked, progress)
+    result = _engine.solve(asked, report)
     (found,) = crossings_of(result.events, start.size)
     if len(found.times) < count:
         raise ArgumentError(

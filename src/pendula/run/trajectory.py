@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
     from numpy.typing import ArrayLike
 
-    from pendula._progress import Progress
+    from pendula._progress import AskedProgress
     from pendula._types import Array
     from pendula.run.events import Crossings
     from pendula.run.request import Request
@@ -214,7 +214,7 @@ class Trajectory:
             names: Sequence[str] | None = None,
             language: str = "en",
             overwrite: bool = False,
-            progress: Progress = None,
+            progress: AskedProgress = None,
         ) -> None:
             """See `pendula.plot.animate`."""
 

@@ -11,10 +11,10 @@ from __future__ import annotations
 import json
 from typing import TYPE_CHECKING, Any
 
-from pendula._attributes import KEY
+from pendula._attributes import KEY, UNFINISHED
 from pendula._messages import Message
 from pendula.many.chunks.growing import size_before
-from pendula.many.chunks.layout import NOTE, ROOT, UNFINISHED, Layout, whole
+from pendula.many.chunks.layout import NOTE, ROOT, Layout, whole
 
 if TYPE_CHECKING:
     from pendula.many.chunks.places import Place

@@ -7,9 +7,10 @@ from fractions import Fraction
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from pendula._checks import check_progress, extra, flag, one_of, positive_number, whole_number
+from pendula._checks import checked_progress, extra, flag, one_of, positive_number, whole_number
 from pendula._late_methods import method_of
 from pendula._messages import ArgumentError
+from pendula._progress import with_bar
 from pendula._writing import replacing
 from pendula.plot.animation import encoding, motions
 from pendula.plot.animation.scene import Film, Scene
@@ -21,7 +22,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Iterator, Sequence
     from os import PathLike
 
-    from pendula._progress import Progress
+    from pendula._progress import AskedProgress, Progress
     from pendula.plot.animation.scene import Picture
 
 SIZE = (720, 600)
@@ -31,6 +32,7 @@ _TRAIL = 1.0
 
 
 @method_of(Trajectory)
+@with_bar("animation")
 def animate(
     runs: Trajectory | Iterable[Trajectory],
     path: str | PathLike[str],
@@ -43,7 +45,7 @@ def animate(
     names: Sequence[str] | None = None,
     language: str = "en",
     overwrite: bool = False,
-    progress: Progress = None,
+    progress: AskedProgress = None,
 ) -> None:
     """Write the motion as a moving picture, in true time or at another speed (extra: animation).
 
@@ -64,14 +66,14 @@ def animate(
         names: one for each motion; None: those of the methods, where they differ.
         language: "en" or "es".
         overwrite: replace an existing file.
-        progress: called with the part that is done, 0 to 1.
+        progress: called with the part that is done, 0 to 1; True: a bar.
 
     Raises:
         ValueError: for an argument out of range, or a motion too short or too long for its frames.
         FileExistsError: where the path exists and `overwrite` is not set.
         OSError: where the path cannot be written.
     """
-    check_progress(progress)
+    report: Progress = checked_progress(progress)
     target, ending = Path(path), ending_of(path)
     words = labels(language)
     encoding.check_encoder(ending)
@@ -90,7 +92,7 @@ def animate(
     with replacing(target, overwrite=overwrite) as unfinished, look():
         scene = Scene(film, words)
         sample = [scene.draw(i) for i in encoding.sampled(len(scene))]
-        encoding.write(ending, unfinished, _frames(scene, progress), every, sample)
+        encoding.write(ending, unfinished, _frames(scene, report), every, sample)
 
 
 def count_frames(

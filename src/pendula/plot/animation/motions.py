@@ -10,7 +10,7 @@ import numpy as np
 
 from pendula._engine import method_named
 from pendula._messages import ArgumentError
-from pendula.run.request import Request
+from pendula.run.request import Request, checked_name
 from pendula.run.solve import solve
 from pendula.run.trajectory import Trajectory
 
@@ -139,7 +139,14 @@ def _states(run: Trajectory, times: Array) -> Array:
     wanted = np.unique(times)  # rising
     direction = 1 if asked.end >= asked.t0 else -1
     options: RunOptions = {"step": asked.step, "digits": asked.digits}
-    again = solve(run.system, asked.state, wanted[::direction], run.method, t0=asked.t0, **options)
+    again = solve(
+        run.system,
+        asked.state,
+        wanted[::direction],
+        checked_name(run.method),
+        t0=asked.t0,
+        **options,
+    )
     return np.asarray(again.states[::direction][np.searchsorted(wanted, times)])
 
 
