@@ -159,7 +159,8 @@ def test_show_draws_what_map_drew_without_computing(
     assert call(" ".join([line, *look]))[0] == 0
     monkeypatch.setattr("pendula.many.tasks.run_task", None)
     code, printed, told = call(" ".join([f"show m.{ending} --picture again.png", *look]))
-    assert (code, printed, told) == (0, "again.png\n", "")
+    assert (code, told) == (0, "")
+    assert printed.endswith("again.png\n")
     assert Path("again.png").read_bytes() == Path("first.png").read_bytes()
 
 
@@ -197,7 +198,7 @@ def test_a_store_of_something_else_is_no_map(call: Call) -> None:
     chunks.run(waves(), "waves.zarr")
     code, printed, told = call("show waves.zarr --picture m.png")
     assert (code, printed) == (2, "")
-    assert told == "pendula: waves.zarr holds no map: it has neither flip_time nor growth\n"
+    assert told.startswith("pendula: waves.zarr was not written by pendula")
     with pytest.raises(ValueError, match="dataset must hold flip_time or growth, got"):
         plot.stored_map(chunks.opened("waves.zarr"))
 

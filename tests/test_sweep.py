@@ -188,7 +188,7 @@ def test_a_store_that_is_there_is_kept(rods: SweepRecipe, tmp_path: Path) -> Non
     store = tmp_path / "rods.zarr"
     sweep(rods, store)
     before = files(store)
-    with pytest.raises(FileExistsError, match="pass resume=True to go on"):
+    with pytest.raises(FileExistsError, match="pass resume=True to resume it"):
         sweep(rods, store, resume=False)
     other = replace(rods, sampler=replace(rods.sampler, seed=1))
     with pytest.raises(ValueError, match=r"sweep\.sampler\.seed is 0 there and 1 here"):

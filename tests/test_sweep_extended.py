@@ -103,7 +103,7 @@ def test_the_command_goes_on_with_more_draws(call: Call) -> None:
     assert call("sweep rods.toml -o rods.zarr")[0] == 0
     Path("rods.toml").write_text(GRID.replace("draws = 4", "draws = 1e1"), encoding="utf-8")
     code, _, told = call("sweep rods.toml -o rods.zarr")
-    assert (code, "rods.zarr exists; pass --resume to go on with it" in told) == (2, True)
+    assert (code, "rods.zarr exists; pass --resume to resume it" in told) == (2, True)
     code, printed, _ = call("sweep rods.toml -o rods.zarr --resume")
     assert (code, printed) == (0, "rods.zarr: 30 rows of 3 times; 30 reached_end\n")
     xr.testing.assert_identical(opened("rods.zarr").load(), sweep("rods.toml"))

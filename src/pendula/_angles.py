@@ -56,9 +56,13 @@ def warn_of_degrees(name: str, given: Any, angles: ArrayLike) -> None:
     """
     import numpy as np
 
-    caller = sys._getframe(2).f_globals.get("__name__", "")
     sizes = np.abs(angles)
-    if caller.partition(".")[0] == "pendula" or not (sizes > _LEAST).any() or carries_unit(given):
+    if not (sizes > _LEAST).any() or carries_unit(given):
+        return
+    depth = 2
+    while _module(depth) == "pendula._progress":  # which the function may be wrapped in
+        depth += 1
+    if _module(depth).partition(".")[0] == "pendula":
         return
     likely = (sizes > _LEAST) & (sizes <= _MOST) & (np.round(sizes, _DECIMALS) == sizes)
     if not likely.any():
@@ -68,5 +72,10 @@ def warn_of_degrees(name: str, given: Any, angles: ArrayLike) -> None:
         f"{name}: {angle:g} rad is {math.degrees(angle):.0f} degrees; angles are in radians, for "
         f"{angle:g} degrees give pendula.degrees({angle:g})",
         DegreesWarning,
-        stacklevel=3,
+        stacklevel=depth + 1,
     )
+
+
+def _module(depth: int) -> str:
+    """Of the frame so far above the caller's."""
+    return str(sys._getframe(depth + 1).f_globals.get("__name__", ""))

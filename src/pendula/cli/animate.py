@@ -90,7 +90,8 @@ def _options(entry: SystemEntry) -> list[click.Parameter]:
         value("t_max", "end time", required=True),
         click.Option(
             ["--method"],
-            type=click.Choice([each.name for each in _engine.methods()]),
+            type=click.Choice([each.name for each in _engine.methods()], case_sensitive=False),
+            metavar="NAME",
             multiple=True,
             help="see `pendula methods`; may be repeated, to overlay them [default: taylor]",
         ),

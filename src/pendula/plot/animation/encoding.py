@@ -97,7 +97,7 @@ def _write_gif(
 
 
 def _write_video(kind: str, file: Any, frames: Iterator[Picture], every: Fraction) -> None:
-    """One thread encodes, so that the same frames give the same bytes."""
+    """One thread encodes: the size of a file does not depend on the machine's cores."""
     av = extra("av", _EXTRA)
     codec, options = _VIDEO[kind]
     with av.open(file, "w", format=kind, options={"fflags": "+bitexact"}) as video:
