@@ -45,7 +45,7 @@ def plain(name: str, value: Any, units: Units) -> Any:
         return value
     if unit is None:
         return plain(name, numbers, units)
-    return _converted(name, numbers, unit, units)
+    return _converted(name, numbers, unit, units, of_pint=_is_of_pint(value))
 
 
 def carries_unit(value: Any) -> bool:
@@ -89,9 +89,13 @@ def _parts(value: Any) -> tuple[Any, str | None]:
     unit = getattr(value, "unit", None) if unit is None else unit
     if unit is None or callable(unit):
         return value, None
-    if hasattr(value, "magnitude"):  # pint
+    if _is_of_pint(value):
         return value.magnitude, _text(format(unit, "D"))
     return _array(value), _text(unit)  # astropy, unyt, netCDF4
+
+
+def _is_of_pint(value: Any) -> bool:
+    return hasattr(value, "magnitude")
 
 
 def _array(value: Any) -> Any:
@@ -107,7 +111,7 @@ def _text(unit: Any) -> str | None:
     return None if unit is None or not str(unit).strip() else " ".join(str(unit).split())
 
 
-def _converted(name: str, numbers: Any, written: str, units: Units) -> Any:
+def _converted(name: str, numbers: Any, written: str, units: Units, *, of_pint: bool) -> Any:
     """The numbers in their SI unit."""
     import numpy as np
 
@@ -115,24 +119,25 @@ def _converted(name: str, numbers: Any, written: str, units: Units) -> Any:
     if array.dtype.kind not in "iuf":
         raise TypeError("no numbers")
     each = units if isinstance(units, Mapping) else {"": units}
-    factors = {_factor(name, written, unit, component) for component, unit in each.items()}
+    factors = {
+        _factor(name, written, unit, component, of_pint=of_pint) for component, unit in each.items()
+    }
     (factor,) = factors  # two kinds of unit cannot both be that of one
     return scaled(array.astype(np.float64), factor)
 
 
-def _factor(name: str, written: str, unit: str, component: str) -> Fraction:
+def _factor(name: str, written: str, unit: str, component: str, *, of_pint: bool) -> Fraction:
     text = "" if written in _NO_UNIT else written
-    subject = f"must have {component}" if component else "must be"
     try:
-        return conversion(text, unit)
+        return conversion(text, unit, of_pint=of_pint)
     except UnknownUnitError as unknown:
         rule, way_out = "has the unknown unit {value}", near(unknown.unit, unit)
         way_out = way_out or (f"give numbers in {unit}" if unit else "give plain numbers")
         raise ArgumentError(name, rule, way_out, value=written) from None
     except RuleError as broken:
-        rule = f"{subject} {str(broken).removeprefix('be ')}, got the unit {{value}}"
-        way_out = ""
+        rule, way_out = f"must {broken}, got the unit {{value}}", ""
         if component:
+            rule = rule.replace("be ", f"have {component} ", 1)
             way_out = "give each component its unit, in a tuple, or plain numbers in rad and rad/s"
         raise ArgumentError(name, rule, way_out, value=written) from None
 
