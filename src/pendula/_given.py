@@ -3,6 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from decimal import Decimal
+from fractions import Fraction
+from numbers import Rational
 from typing import TYPE_CHECKING, Any
 
 from pendula._messages import ArgumentError
@@ -10,8 +13,6 @@ from pendula._unit_names import RuleError, UnknownUnitError
 from pendula.units import conversion, near, scaled
 
 if TYPE_CHECKING:
-    from fractions import Fraction
-
     Units = str | Mapping[str, str]
 
 _PLAIN = (float, int)
@@ -40,6 +41,8 @@ def plain(name: str, value: Any, units: Units) -> Any:
     if isinstance(value, bool) or getattr(getattr(value, "dtype", None), "kind", "") == "b":
         raise TypeError("truth values are no numbers")
     _refuse_masked(name, value)
+    if _holds_units(value):
+        return plain(name, value.tolist(), units)
     numbers, unit = _parts(value)
     if numbers is value:
         return value
@@ -54,6 +57,8 @@ def carries_unit(value: Any) -> bool:
         return False
     if isinstance(value, list | tuple):
         return any(map(carries_unit, value))
+    if _holds_units(value):
+        return True
     numbers, unit = _parts(value)
     return unit is not None or (numbers is not value and carries_unit(numbers))
 
@@ -68,6 +73,13 @@ def _entries(name: str, value: list[Any] | tuple[Any, ...], units: Units) -> lis
 def _is_plain(value: Any) -> bool:
     """Whether it is a number without anything: most are."""
     return type(value) in _PLAIN
+
+
+def _holds_units(value: Any) -> bool:
+    """Whether it is an array of objects that carry units."""
+    if getattr(getattr(value, "dtype", None), "kind", "") != "O" or not hasattr(value, "tolist"):
+        return False
+    return not hasattr(value, "magnitude") and carries_unit(value.tolist())
 
 
 def _is_scalar(value: Any) -> bool:
@@ -116,13 +128,19 @@ def _converted(name: str, numbers: Any, written: str, units: Units, *, of_pint: 
     import numpy as np
 
     array = np.asarray(plain(name, numbers, ""))
-    if array.dtype.kind not in "iuf":
+    exact = array.dtype.kind == "O" and all(isinstance(x, Rational | Decimal) for x in array.flat)
+    if array.dtype.kind not in "iuf" and not exact:
         raise TypeError("no numbers")
     each = units if isinstance(units, Mapping) else {"": units}
     factors = {
         _factor(name, written, unit, component, of_pint=of_pint) for component, unit in each.items()
     }
     (factor,) = factors  # two kinds of unit cannot both be that of one
+    if exact:
+        products = [float(Fraction(each) * factor) for each in array.flat]
+        return np.array(products).reshape(array.shape)
+    if factor == 1 and array.dtype.kind in "iu":
+        return array  # a whole number stays one
     return scaled(array.astype(np.float64), factor)
 
 

@@ -16,6 +16,7 @@ _BRACES = re.compile(r"\{(\w+)\}")
 # details shown without quotes
 _PLAIN = ("choices", "place", "constant", "system", "form", "other", "text", "path")
 _LONGEST = 300  # characters of a value, or of another library's error
+_MANY_DIGITS = re.compile(r"\d{40,}")  # no double is written with so many
 _JOINED = {"choices": ", ", "any_of": " or "}
 
 
@@ -40,7 +41,7 @@ class Naming:
             return _JOINED[name].join(map(str, value))
         if isinstance(value, float) and name not in ("value", "t0", "span"):
             return f"{value:g}"
-        return str(value) if name in _PLAIN else one_line(repr(value))
+        return str(value) if name in _PLAIN else one_line(_MANY_DIGITS.sub(_few, _written(value)))
 
 
 PYTHON = Naming()
@@ -106,6 +107,17 @@ def message_of(error: BaseException) -> str:
     """What an error says: a `Message`, where it carries one."""
     first = error.args[0] if error.args else ""
     return first if isinstance(first, Message) else str(error)
+
+
+def _written(value: object) -> str:
+    try:
+        return repr(value)
+    except ValueError:  # Python writes no whole number of more than 4300 digits
+        return "a number of thousands of digits"
+
+
+def _few(digits: re.Match[str]) -> str:
+    return f"{digits[0][:6]}… ({len(digits[0])} digits)"
 
 
 def one_line(said: object) -> str:
