@@ -44,7 +44,7 @@ def degrees(x: ArrayLike) -> Any:
     return found if found.ndim else float(found)
 
 
-def warn_of_degrees(name: str, given: Any, angles: ArrayLike) -> None:
+def warn_of_degrees(name: str, given: Any, angles: ArrayLike, *, deeper: int = 0) -> None:
     """Warn of angles that look like degrees, at the line that called the public function.
 
     Calls from inside the package, whose angles are radians, and values that carry a unit pass.
@@ -53,10 +53,11 @@ def warn_of_degrees(name: str, given: Any, angles: ArrayLike) -> None:
         name: of the argument.
         given: what was given for it.
         angles: in it [rad].
+        deeper: calls between the public function and its caller of this one.
     """
     import numpy as np
 
-    caller = sys._getframe(2).f_globals.get("__name__", "")
+    caller = sys._getframe(2 + deeper).f_globals.get("__name__", "")
     sizes = np.abs(angles)
     if caller.partition(".")[0] == "pendula" or not (sizes > _LEAST).any() or carries_unit(given):
         return
@@ -68,5 +69,5 @@ def warn_of_degrees(name: str, given: Any, angles: ArrayLike) -> None:
         f"{name}: {angle:g} rad is {math.degrees(angle):.0f} degrees; angles are in radians, for "
         f"{angle:g} degrees give pendula.degrees({angle:g})",
         DegreesWarning,
-        stacklevel=3,
+        stacklevel=3 + deeper,
     )
