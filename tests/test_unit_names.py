@@ -118,6 +118,8 @@ MISREAD = [
     ("1 ton", "kg", "--x must not be in ton, which has several meanings"),
     ("1 libra", "kg", "--x must not be in libra, which has several meanings"),
     ("1 onza", "kg", "--x must not be in onza, which has several meanings"),
+    ("1 mes", "s", "--x must not be in mes, which has several meanings"),
+    ("1 año", "s", "--x must not be in año, which has several meanings"),
     ("2 hs", "s", "--x has the unknown unit 'hs'"),
     ("2 Ms", "s", "--x has the unknown unit 'Ms' in '2 Ms'; did you mean ms"),
     ("2 Mm", "m", "--x has the unknown unit 'Mm' in '2 Mm'; did you mean mm"),

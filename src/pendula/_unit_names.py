@@ -134,7 +134,7 @@ _EITHER = {  # name and the units that it can mean
     **dict.fromkeys(["grad", "grads", "grade", "grades", "grd", "gra"], "deg or gon"),
     **dict.fromkeys(["gr", "grs"], "g or grain"),  # Spanish gramos, English grain
 }
-# units of those names differ by country or trade
+# units of those names differ by country or trade, months and years by the calendar
 _SEVERAL = {
     "mil",
     "mils",
@@ -148,6 +148,7 @@ _SEVERAL = {
     "onzas",
 }
 _SEVERAL |= {"onza", "onzas", "quintal", "quintales", "grano", "granos"}
+_SEVERAL |= {"mes", "meses", "month", "months", "ano", "anos", "year", "years"}
 _PHRASES = tuple(  # what people write in several words
     (re.compile(pattern, re.IGNORECASE), written)
     for pattern, written in (
