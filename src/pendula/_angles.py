@@ -44,7 +44,7 @@ def degrees(x: ArrayLike) -> Any:
     return found if found.ndim else float(found)
 
 
-def warn_of_degrees(name: str, given: Any, angles: ArrayLike) -> None:
+def warn_of_degrees(name: str, given: Any, angles: ArrayLike, *, deeper: int = 0) -> None:
     """Warn of angles that look like degrees, at the line that called the public function.
 
     Calls from inside the package, whose angles are radians, and values that carry a unit pass.
@@ -53,13 +53,14 @@ def warn_of_degrees(name: str, given: Any, angles: ArrayLike) -> None:
         name: of the argument.
         given: what was given for it.
         angles: in it [rad].
+        deeper: calls between the public function and its caller of this one.
     """
     import numpy as np
 
     sizes = np.abs(angles)
     if not (sizes > _LEAST).any() or carries_unit(given):
         return
-    depth = 2
+    depth = 2 + deeper
     while _module(depth) == "pendula._progress":  # which the function may be wrapped in
         depth += 1
     if _module(depth).partition(".")[0] == "pendula":

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from decimal import Decimal
-from numbers import Real
+from fractions import Fraction
+from numbers import Rational, Real
 from typing import TYPE_CHECKING, Any
 
 from pendula._messages import ArgumentError
@@ -12,8 +13,6 @@ from pendula._unit_names import RuleError, UnknownUnitError
 from pendula.units import conversion, near, scaled
 
 if TYPE_CHECKING:
-    from fractions import Fraction
-
     from numpy.typing import NDArray
 
     from pendula._types import Array
@@ -46,12 +45,14 @@ def plain(name: str, value: Any, units: Units) -> Any:
     if isinstance(value, bool) or getattr(getattr(value, "dtype", None), "kind", "") == "b":
         raise TypeError("truth values are no numbers")
     _refuse_masked(name, value)
+    if _holds_units(value):
+        return plain(name, value.tolist(), units)
     numbers, unit = _parts(value)
     if numbers is value:
         return value
     if unit is None:
         return plain(name, numbers, units)
-    return _converted(name, numbers, unit, units)
+    return _converted(name, numbers, unit, units, of_pint=_is_of_pint(value))
 
 
 def doubles(array: NDArray[Any]) -> Array:
@@ -87,6 +88,8 @@ def carries_unit(value: Any) -> bool:
         return False
     if isinstance(value, list | tuple):
         return any(map(carries_unit, value))
+    if _holds_units(value):
+        return True
     numbers, unit = _parts(value)
     return unit is not None or (numbers is not value and carries_unit(numbers))
 
@@ -101,6 +104,13 @@ def _entries(name: str, value: list[Any] | tuple[Any, ...], units: Units) -> lis
 def _is_plain(value: Any) -> bool:
     """Whether it is a number without anything: most are."""
     return type(value) in _PLAIN
+
+
+def _holds_units(value: Any) -> bool:
+    """Whether it is an array of objects that carry units."""
+    if getattr(getattr(value, "dtype", None), "kind", "") != "O" or not hasattr(value, "tolist"):
+        return False
+    return not hasattr(value, "magnitude") and carries_unit(value.tolist())
 
 
 def _is_scalar(value: Any) -> bool:
@@ -122,9 +132,13 @@ def _parts(value: Any) -> tuple[Any, str | None]:
     unit = getattr(value, "unit", None) if unit is None else unit
     if unit is None or callable(unit):
         return value, None
-    if hasattr(value, "magnitude"):  # pint
+    if _is_of_pint(value):
         return value.magnitude, _text(format(unit, "D"))
     return _array(value), _text(unit)  # astropy, unyt, netCDF4
+
+
+def _is_of_pint(value: Any) -> bool:
+    return hasattr(value, "magnitude")
 
 
 def _array(value: Any) -> Any:
@@ -140,30 +154,37 @@ def _text(unit: Any) -> str | None:
     return None if unit is None or not str(unit).strip() else " ".join(str(unit).split())
 
 
-def _converted(name: str, numbers: Any, written: str, units: Units) -> Any:
+def _converted(name: str, numbers: Any, written: str, units: Units, *, of_pint: bool) -> Any:
     """The numbers in their SI unit."""
     import numpy as np
 
-    array = doubles(np.asarray(plain(name, numbers, "")))
+    array = np.asarray(plain(name, numbers, ""))
+    exact = array.dtype.kind == "O" and all(isinstance(x, Rational | Decimal) for x in array.flat)
     each = units if isinstance(units, Mapping) else {"": units}
-    factors = {_factor(name, written, unit, component) for component, unit in each.items()}
+    factors = {
+        _factor(name, written, unit, component, of_pint=of_pint) for component, unit in each.items()
+    }
     (factor,) = factors  # two kinds of unit cannot both be that of one
-    return scaled(array, factor)
+    if exact:
+        products = [float(Fraction(each) * factor) for each in array.flat]
+        return np.array(products).reshape(array.shape)
+    if factor == 1 and array.dtype.kind in "iu":
+        return array  # a whole number stays one
+    return scaled(doubles(array), factor)
 
 
-def _factor(name: str, written: str, unit: str, component: str) -> Fraction:
+def _factor(name: str, written: str, unit: str, component: str, *, of_pint: bool) -> Fraction:
     text = "" if written in _NO_UNIT else written
-    subject = f"must have {component}" if component else "must be"
     try:
-        return conversion(text, unit)
+        return conversion(text, unit, of_pint=of_pint)
     except UnknownUnitError as unknown:
         rule, way_out = "has the unknown unit {value}", near(unknown.unit, unit)
         way_out = way_out or (f"give numbers in {unit}" if unit else "give plain numbers")
         raise ArgumentError(name, rule, way_out, value=written) from None
     except RuleError as broken:
-        rule = f"{subject} {str(broken).removeprefix('be ')}, got the unit {{value}}"
-        way_out = ""
+        rule, way_out = f"must {broken}, got the unit {{value}}", ""
         if component:
+            rule = rule.replace("be ", f"have {component} ", 1)
             way_out = "give each component its unit, in a tuple, or plain numbers in rad and rad/s"
         raise ArgumentError(name, rule, way_out, value=written) from None
 

@@ -19,6 +19,7 @@ _BRACES = re.compile(r"\{(\w+)\}")
 # details shown without quotes
 _PLAIN = ("choices", "place", "constant", "system", "form", "other", "text", "path")
 _LONGEST = 300  # characters of a value, or of another library's error
+_MANY_DIGITS = re.compile(r"\d{40,}")  # no double is written with so many
 _JOINED = {"choices": ", ", "any_of": " or "}
 
 
@@ -43,7 +44,7 @@ class Naming:
             return _JOINED[name].join(map(str, value))
         if isinstance(value, float) and name not in ("value", "t0", "span"):
             return f"{value:g}"
-        return str(value) if name in _PLAIN else one_line(repr(value))
+        return str(value) if name in _PLAIN else one_line(_MANY_DIGITS.sub(_few, _written(value)))
 
 
 PYTHON = Naming()
@@ -118,6 +119,17 @@ def meant(given: object, known: Iterable[str]) -> str:
     names = {each.lower(): each for each in known}
     close = difflib.get_close_matches(str(given).lower(), names, n=1)
     return f"did you mean {names[close[0]]!r}?" if close else ""
+
+
+def _written(value: object) -> str:
+    try:
+        return repr(value)
+    except ValueError:  # Python writes no whole number of more than 4300 digits
+        return "a number of thousands of digits"
+
+
+def _few(digits: re.Match[str]) -> str:
+    return f"{digits[0][:6]}… ({len(digits[0])} digits)"
 
 
 def one_line(said: object) -> str:

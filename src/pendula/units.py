@@ -14,16 +14,19 @@ from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
 from pendula._messages import ArgumentError
-from pendula._unit_names import EVERYDAY, PI, RuleError, UnknownUnitError, unit_of
+from pendula._unit_names import (
+    NAMES,
+    PI,
+    RuleError,
+    UnknownUnitError,
+    pint_unit,
+    prefix_of,
+    unit_of,
+)
 
 if TYPE_CHECKING:
     from pendula._types import Array
 
-_OTHERS = (  # that a misspelt one may be, beside the everyday ones
-    ("inch", "m"),
-    ("ft", "m"),
-    ("rpm", "rad/s"),
-)
 _EXAMPLES = {
     "m": ("50", "cm"),
     "s": ("10", "ms"),
@@ -37,6 +40,7 @@ _EXAMPLES = {
 _EXAMPLE = "write {text}, say"
 
 _LONGEST = 100  # characters
+_CLOSE = 0.65  # so alike are a name and its misprint
 _PLAIN_SIGNS = str.maketrans("−⁻¹²³⁴⁵⁶⁷⁸⁹", "--123456789")
 _NUMBER = re.compile(
     r"(?P<number>[-+]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][-+]?[0-9]+)?)"
@@ -87,15 +91,18 @@ def half_turns(text: str, name: str) -> list[Fraction]:
     return [each / PI for each in _values(text, "rad", name)]
 
 
-def conversion(written: str, unit: str) -> Fraction:
+def conversion(written: str, unit: str, *, of_pint: bool = False) -> Fraction:
     """What numbers in a unit that is written out have to be multiplied by for another.
+
+    `of_pint`: by pint, whose names it has.
 
     Raises:
         RuleError: for a unit of another kind.
         UnknownUnitError: for a name that is no unit.
     """
     wanted = unit_of(unit)
-    factor, powers = unit_of(written.translate(_PLAIN_SIGNS))
+    read = pint_unit if of_pint else unit_of
+    factor, powers = read(written.translate(_PLAIN_SIGNS))
     if powers != wanted[1] and (powers or unit != "rad"):  # an arc over its radius is an angle
         raise RuleError(_kind(unit))
     return factor / wanted[0]
@@ -250,10 +257,16 @@ def _with_unit(text: str, unit: str) -> str:
 
 def near(unknown: str, unit: str) -> str:
     """A question for the unit of that kind that was meant; empty where none is near."""
-    bases = re.findall(r"[a-z]+", unit)
-    known = [name for name, (_, base) in EVERYDAY.items() if base in bases]
-    known += [name for name, base in _OTHERS if base == unit]
-    close = difflib.get_close_matches(unknown.lower(), known, n=2)
+    bases = set(re.findall(r"[a-z]+", unit))
+    wanted, word = unit_of(unit)[1], unknown.lower()
+    prefix = prefix_of(word)
+    known = [
+        name
+        for name, (_, powers) in NAMES.items()
+        if (powers == wanted or (len(powers) == 1 and bases.issuperset(powers)))
+        and prefix in ("", prefix_of(name))
+    ]
+    close = difflib.get_close_matches(word, known, n=2, cutoff=_CLOSE)
     return f"did you mean {' or '.join(close)}?" if close else ""
 
 

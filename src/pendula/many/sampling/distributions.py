@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from pendula._checks import LARGEST_COUNT, counted, finite_number, positive_number
+from pendula._given import plain
+from pendula._messages import ArgumentError
 from pendula.many.sampling.bits import exp2, log2_ratio, units
 from pendula.many.sampling.normal import FARTHEST, normals
 
@@ -219,7 +221,16 @@ def _check_range(each: Uniform | LogUniform | Grid, low: object, high: object) -
     object.__setattr__(each, "high", ends[1])
 
 
-def _checked(what: str, values: tuple[float, ...]) -> tuple[float, ...]:
-    if not values:
+def _checked(what: str, values: object) -> tuple[float, ...]:
+    name = f"the values of a {what}"
+    try:
+        given = plain(name, values, "")
+        if isinstance(given, str | bytes | Mapping):
+            raise TypeError
+        entries = given.tolist() if hasattr(given, "tolist") else given
+        found = tuple(finite_number(f"each value of a {what}", each) for each in entries)
+    except TypeError:
+        raise ArgumentError(name, "must be a list of numbers, got {value}", value=values) from None
+    if not found:
         raise ValueError(f"a {what} must have at least one value")
-    return tuple(finite_number(f"each value of a {what}", value) for value in values)
+    return found

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import math
+import operator
 from dataclasses import dataclass, fields
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from pendula._checks import LARGEST_COUNT, counted, one_of
+from pendula._given import plain
 from pendula._messages import ArgumentError
 from pendula.many.sampling.bits import words
 from pendula.many.sampling.distributions import (
@@ -52,6 +54,7 @@ class Sampler:
     seed: int = 0
 
     def __post_init__(self) -> None:
+        object.__setattr__(self, "columns", _checked_columns(self.columns))
         names = [name for name, _ in self.columns]
         if len(set(names)) < len(names):
             rule = "must have different names, got {choices}"
@@ -64,9 +67,7 @@ class Sampler:
         if self.draws > 1 and not self.random:
             rule = "must be 1 where nothing is random, got {value}"
             raise ArgumentError("draws", rule, value=self.draws)
-        if isinstance(self.seed, bool) or not 0 <= self.seed <= LARGEST_SEED:
-            rule = "must be a whole number from 0 to 2^64 - 1, got {value}"
-            raise ArgumentError("seed", rule, value=self.seed)
+        object.__setattr__(self, "seed", _checked_seed(self.seed))
         if self.count > LARGEST_COUNT:
             raise ValueError(f"there must be at most 2^53 rows, got {self.count}")
 
@@ -115,6 +116,27 @@ class Sampler:
         """The sampler as data that JSON can hold; `sampler_from` takes it back."""
         columns = [[name, *_described(each)] for name, each in self.columns]
         return {"columns": columns, "draws": self.draws, "seed": self.seed}
+
+
+def _checked_seed(seed: object) -> int:
+    try:
+        found = operator.index(plain("seed", seed, ""))
+    except TypeError:
+        found = -1
+    if not 0 <= found <= LARGEST_SEED:
+        rule = "must be a whole number from 0 to 2^64 - 1, got {value}"
+        raise ArgumentError("seed", rule, value=seed)
+    return found
+
+
+def _checked_columns(columns: object) -> tuple[tuple[str, Distribution], ...]:
+    pairs = tuple(columns) if isinstance(columns, list | tuple) else (columns,)
+    for each in pairs:
+        known = isinstance(each, list | tuple) and len(each) == 2 and isinstance(each[0], str)
+        if not known or type(each[1]) not in KINDS.values():
+            rule = "must be pairs of a name and where its values come from, got {value}"
+            raise ArgumentError("columns", rule, 'give (("theta", Fixed(0.5)),), say', value=each)
+    return tuple((name, each) for name, each in pairs)
 
 
 def sampler_from(description: dict[str, Any]) -> Sampler:

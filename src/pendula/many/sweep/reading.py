@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from itertools import product
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -13,15 +12,15 @@ from pendula._recipe_file import RecipeFile, as_toml
 from pendula._rules import refuse
 from pendula.many.sampling import LARGEST_SEED, Distribution, SameAs, Sampler
 from pendula.many.sweep.columns import Columns
-from pendula.many.sweep.recipe import COLUMNS, DTYPES, SweepRecipe
-from pendula.run.options import BEST_TOLERANCE, ROWS, STANDARD_METHOD, checked_types
+from pendula.many.sweep.recipe import COLUMNS, DTYPES, SweepRecipe, systems_at_ends
+from pendula.run.options import ROWS, STANDARD_METHOD, checked_types
 from pendula.run.request import Request, checked_name
 from pendula.run.stiffness import warn_of_stiffness
-from pendula.systems import System, system_from
 
 if TYPE_CHECKING:
     from pendula._engine import Form, OptionRow, SystemEntry
     from pendula._recipe_file import RecipeSource
+    from pendula.systems import System
 
 MOST_CHUNKS = 10**6
 MOST_OUTPUTS = 10**7  # states of a chunk: 320 MB for the double pendulum
@@ -88,18 +87,9 @@ def _systems(
     file: RecipeFile, entry: SystemEntry, form: Form, columns: list[tuple[str, Distribution]]
 ) -> list[System]:
     """The systems at the ends of all ranges: parameters can be too large or too small together."""
-    free = {name: each.ends for name, each in columns if not isinstance(each, SameAs)}
-    ends = [tuple(dict.fromkeys(pair)) for pair in free.values()]
-    systems, given = [], file.tables["system"]
-    with file.blaming("system", *(name for name in given if name in free), ""):
-        for corner in product(*ends):
-            values = dict(zip(free, corner, strict=True))
-            for name, each in columns:
-                if isinstance(each, SameAs):
-                    values[name] = values[each.column]
-            description = {"name": entry.name, "form": form.name, "parameters": values}
-            systems.append(system_from(description))
-    return systems
+    free = {name for name, each in columns if not isinstance(each, SameAs)}
+    with file.blaming("system", *(name for name in file.tables["system"] if name in free), ""):
+        return systems_at_ends(entry.name, form.name, dict(columns))
 
 
 class _Run:
@@ -143,8 +133,6 @@ class _Run:
                 )
                 refuse(_engine.check(asked.for_core(system, method)), digits=False, t="t_max")
         warn_of_stiffness(self._systems, t_max)
-        if _engine.method_named(method).adaptive and options.get("tolerance") is None:
-            options["tolerance"] = BEST_TOLERANCE
         return {"method": method, "t_max": t_max, "every": every, **options}
 
     def written(self, t_max: float, every: float | None, **_: Any) -> dict[str, Any]:
