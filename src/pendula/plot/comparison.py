@@ -8,6 +8,8 @@ from typing import TYPE_CHECKING, Any, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
+from pendula._checks import number, one_of, positive_number
+from pendula.plot.given import axis, curve, curves, items
 from pendula.plot.labels import Labels, labels
 from pendula.plot.style import (
     BACKED,
@@ -24,6 +26,7 @@ from pendula.plot.style import (
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
+    from numpy.typing import ArrayLike
 
     from pendula._types import Array
     from pendula.run.trajectory import Trajectory
@@ -45,6 +48,7 @@ class Fit(Protocol):
         """Which points it was drawn through."""
 
 
+_UNITS = {"difference": "deg", "energy_error": ""}  # of what `series` draws
 _ROOM = 0.6  # a run may leave the first one's range by this part of it before the panel cuts it off
 
 
@@ -80,7 +84,7 @@ def angles(
 
 @styled
 def series(
-    cases: Sequence[tuple[Array, Mapping[str, Array]]],
+    cases: Sequence[tuple[ArrayLike, Mapping[str, ArrayLike]]],
     quantity: str,
     titles: Sequence[str] = (),
     *,
@@ -95,9 +99,11 @@ def series(
         language: "en" or "es".
     """
     words = labels(language)
+    one_of("quantity", quantity, _UNITS)
     figure, axes = panels(1, len(cases), 2.7, words)
-    for ax, (t, runs) in zip(axes[0], cases, strict=True):
-        for name, values in runs.items():
+    for ax, (times, runs) in zip(axes[0], cases, strict=True):
+        t = axis("t", times, "s")
+        for name, values in curves("cases", runs, _UNITS[quantity], t).items():
             ax.plot(t, for_logarithm(values), label=words.name(name), **line(name))
         logarithmic(ax, "y")
         ax.set_xlim(t[0], t[-1])
@@ -110,8 +116,8 @@ def series(
 
 @styled
 def parting(
-    t: Array,
-    differences: Mapping[str, Array],
+    t: ArrayLike,
+    differences: Mapping[str, ArrayLike],
     times: Mapping[str, float],
     tolerance: float,
     *,
@@ -130,6 +136,10 @@ def parting(
         language: "en" or "es".
     """
     words = labels(language)
+    t = axis("t", t, "s")
+    differences = curves("differences", differences, "deg", t)
+    times = {key: number(f"times[{key!r}]", each, "s") for key, each in items("times", times)}
+    tolerance = positive_number("tolerance", tolerance, "deg")
     figure, axes = panels(1, 1, 3.2, words)
     ax = axes[0, 0]
     for name, values in differences.items():
@@ -178,8 +188,8 @@ def tip_paths(runs: Mapping[str, Trajectory], *, language: str = "en") -> Figure
 
 @styled
 def convergence(
-    steps: Array,
-    cases: Sequence[Mapping[str, tuple[Array, Fit]]],
+    steps: ArrayLike,
+    cases: Sequence[Mapping[str, tuple[ArrayLike, Fit]]],
     titles: Sequence[str] = (),
     *,
     language: str = "en",
@@ -194,10 +204,12 @@ def convergence(
         language: "en" or "es".
     """
     words = labels(language)
+    steps = axis("steps", steps, "s")
     figure, axes = panels(1, len(cases), 3.1, words, sharey=True)
     for ax, case, title in zip(axes[0], cases, titles, strict=True):
         for name, (error, fit) in case.items():
-            _error_line(ax, name, steps, error, fit, words=words)
+            errors = curve(f"cases[{name!r}]", error, "rad", steps)
+            _error_line(ax, name, steps, errors, fit, words=words)
         logarithmic(ax, "x", "y")
         ax.set_title(title)
         ax.set_xlabel(words.axis["step"])

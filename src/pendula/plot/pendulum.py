@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from itertools import cycle
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from pendula._angles import warn_of_degrees
+from pendula._checks import finite_number
+from pendula._messages import ArgumentError
+from pendula.plot.given import axis, curve, curves, items
 from pendula.plot.labels import Labels, labels
 from pendula.plot.style import (
     BACKED,
@@ -25,6 +28,7 @@ from pendula.plot.style import (
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
+    from numpy.typing import ArrayLike
 
     from pendula._types import Array
     from pendula.systems import SimplePendulum
@@ -37,8 +41,8 @@ _SEPARATRIX = "#b07a00"
 
 @styled
 def linear_error(
-    amplitudes: Array,
-    errors: Mapping[int, Array],
+    amplitudes: ArrayLike,
+    errors: Mapping[int, ArrayLike],
     limits: Mapping[int, Mapping[float, float]],
     *,
     language: str = "en",
@@ -52,6 +56,9 @@ def linear_error(
         language: "en" or "es".
     """
     words = labels(language)
+    given, amplitudes = amplitudes, axis("amplitudes", amplitudes, "rad")
+    warn_of_degrees("amplitudes", given, amplitudes, deeper=1)
+    errors, limits = curves("errors", errors, "", amplitudes), _limits(limits, errors)
     figure, axes = panels(1, 1, 3.1, words)
     ax = axes[0, 0]
     for (count, error), colour in zip(errors.items(), cycle(_SHADES[:0:-1])):
@@ -79,7 +86,11 @@ def linear_error(
 
 @styled
 def periods(
-    amplitudes: Array, exact: Array, series: Mapping[int, Array], *, language: str = "en"
+    amplitudes: ArrayLike,
+    exact: ArrayLike,
+    series: Mapping[int, ArrayLike],
+    *,
+    language: str = "en",
 ) -> Figure:
     """The period, in units of the small-angle one, against amplitude.
 
@@ -90,6 +101,10 @@ def periods(
         language: "en" or "es".
     """
     words = labels(language)
+    given, amplitudes = amplitudes, axis("amplitudes", amplitudes, "rad")
+    warn_of_degrees("amplitudes", given, amplitudes, deeper=1)
+    exact = curve("exact", exact, "", amplitudes)
+    series = curves("series", series, "", amplitudes)
     figure, axes = panels(1, 1, 3.3, words)
     ax = axes[0, 0]
     degrees = np.degrees(amplitudes)
@@ -107,9 +122,7 @@ def periods(
 
 
 @styled
-def phase_portrait(
-    system: SimplePendulum, releases: Sequence[float], *, language: str = "en"
-) -> Figure:
+def phase_portrait(system: SimplePendulum, releases: ArrayLike, *, language: str = "en") -> Figure:
     """The phase portrait [°, rad/s] of a simple pendulum with its separatrix.
 
     The orbits are the lines of equal energy, ω² = 2 ωn² (cos θ − cos θ0) (the paper's equation 14).
@@ -120,10 +133,14 @@ def phase_portrait(
         language: "en" or "es".
     """
     words = labels(language)
+    amplitudes = axis("releases", releases, "rad")
+    warn_of_degrees("releases", releases, amplitudes, deeper=1)
+    if getattr(system, "name", "") != "simple":
+        raise ArgumentError("system", "must be a SimplePendulum, got {value}", value=system)
     figure, axes = panels(1, 1, 3.4, words)
     ax = axes[0, 0]
     rate, theta = system.natural_frequency, np.linspace(-1.5 * np.pi, 1.5 * np.pi, 361)
-    top = max(3.0, 1.1 * max(releases)) * rate
+    top = max(3.0, 1.1 * float(max(abs(amplitudes)))) * rate
     omega = np.linspace(-top, top, 241)
     level = (omega[:, None] / rate) ** 2 / 2 + 1 - np.cos(theta)
     others = sorted((*(1 - np.cos(np.radians((45, 90, 120)))), 2.6, 3.6))
@@ -132,7 +149,7 @@ def phase_portrait(
         border = side * 2 * rate * np.cos(theta / 2)
         name = words.curve["separatrix"] if side > 0 else None
         ax.plot(np.degrees(theta), border, color=_SEPARATRIX, linewidth=1.5, label=name)
-    for i, amplitude in enumerate(releases):
+    for i, amplitude in enumerate(amplitudes.tolist()):
         _release(ax, rate, amplitude, words if i == 0 else None)
     legend_above(figure, ax)
     ax.set_xlim(-270, 270)
@@ -145,7 +162,7 @@ def phase_portrait(
 
 @styled
 def elliptic_cost(
-    kc: Array, terms: Array, iterations: NDArray[np.int64], *, language: str = "en"
+    kc: ArrayLike, terms: ArrayLike, iterations: ArrayLike, *, language: str = "en"
 ) -> Figure:
     """What K costs as k → 1: terms of the series, iterations of the AGM.
 
@@ -156,6 +173,10 @@ def elliptic_cost(
         language: "en" or "es".
     """
     words = labels(language)
+    kc = axis("kc", kc)
+    terms, iterations = curve("terms", terms, "", kc), curve("iterations", iterations, "", kc)
+    if not ((kc >= 0) & (kc <= 1)).all():
+        raise ArgumentError("kc", "must lie within [0, 1], got {value}", value=kc)
     figure, axes = panels(1, 1, 2.9, words)
     ax = axes[0, 0]
     distance = kc**2 / (1 + np.sqrt((1 - kc) * (1 + kc)))  # 1 − k without the cancellation
@@ -171,6 +192,24 @@ def elliptic_cost(
     ax.set_xlabel(words.axis["distance"])
     ax.set_ylabel(words.axis["count"])
     return figure
+
+
+def _limits(given: Any, errors: Mapping[int, Array]) -> dict[int, dict[float, float]]:
+    """Amplitudes [rad] by number of periods and error."""
+    limits = {
+        count: {
+            finite_number(f"limits[{count!r}]", value): finite_number(
+                f"limits[{count!r}][{value!r}]", limit, "rad"
+            )
+            for value, limit in items(f"limits[{count!r}]", each)
+        }
+        for count, each in items("limits", given)
+    }
+    if not limits.keys() >= errors.keys():
+        rule = "must have the keys of errors: {choices}; got {text}"
+        shown = ", ".join(map(repr, limits)) or "none"
+        raise ArgumentError("limits", rule, choices=tuple(errors), text=shown)
+    return limits
 
 
 def _release(ax: Axes, rate: float, amplitude: float, words: Labels | None) -> None:
