@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import errno
+import math
 import os
+import re
 import signal
 import sys
 from pathlib import Path
@@ -11,6 +13,7 @@ from typing import TYPE_CHECKING
 
 import pytest
 
+from pendula import LinearPendulum, solve
 from pendula._engine import methods
 from pendula.cli import main
 from pendula.io import files
@@ -178,12 +181,29 @@ def test_a_broken_recipe_is_told_with_its_line(
     assert message in told(["study", "broken.toml", "--out", "x"], 2, capsys)
 
 
+@pytest.mark.parametrize("every", ["10s", "300s", "999s", "700ms", "30ms"])
+@pytest.mark.parametrize("t_max", [1000, -1000])
+def test_a_run_that_blows_up_says_when_whatever_its_outputs(
+    every: str, t_max: int, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Not when its last output was: to a step, and not after the first output that it lacks."""
+    line = "solve linear --theta 5deg --length 50cm --method euler --step 1s --t-max"
+    run = solve(LinearPendulum(0.5), (math.radians(5), 0.0), float(t_max), "euler", step=1.0)
+    printed = told([*line.split(), f"{t_max}s", "--every", every], 1, capsys)
+    found = re.search(rf"euler stopped at t = (\S+) s of {t_max} s with step 1 s", printed)
+    assert found
+    last, stopped = abs(float(run.t[-1])), abs(float(found[1]))
+    apart = {"700ms": 0.7, "30ms": 0.03}.get(every, 0.0)
+    assert last < stopped <= abs(run.reached) + apart
+    assert stopped == abs(run.reached) or apart
+
+
 @pytest.mark.parametrize("output", ["", " -o x.csv", " --every 10s -o x.csv"])
 def test_a_run_that_blows_up_says_when_and_leaves_no_file(
     output: str, capsys: pytest.CaptureFixture[str]
 ) -> None:
     printed = told(f"{BLOW_UP}{output}".split(), 1, capsys)
-    assert "euler stopped after t = " in printed
+    assert "euler stopped at t = " in printed
     assert " of 1000 s with step 1 s: the numbers grew beyond all bounds" in printed
     assert "take a smaller --step" in printed
 
