@@ -191,6 +191,9 @@ def test_every_column_says_its_unit_and_counts_well(study: tuple[Path, str]) -> 
         for column in _table(study[0], path.stem):
             assert column in words or re.search(r" \[(1|s|rad|rad/s|J)\]$", column), path.name
             assert not re.search(r"\b1 \w+s\b", column)
+    for name, errors in (("convergence", 9), ("simple_work", 1), ("double_work", 1)):
+        compared = [column for column in _table(study[0], name) if "error at the outputs" in column]
+        assert len(compared) == errors
 
 
 def test_periods_against_the_known_ones(study: tuple[Path, str]) -> None:
