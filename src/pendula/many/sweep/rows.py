@@ -12,6 +12,7 @@ from pendula._progress import part
 from pendula._version import __version__
 from pendula.many.chunks import Axis, Variable, Work
 from pendula.many.tasks import checked_threads, run_task
+from pendula.systems.energies import energies
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -88,12 +89,12 @@ class SweepRows:
         recipe = self.recipe
         if _engine.system_entries()[recipe.system].can.periodic:
             states = _engine.within_range_of_sine(states)
-        energies = np.empty(states.shape[:-1])
+        found = np.empty(states.shape[:-1])
         with np.errstate(over="ignore", invalid="ignore"):  # of runs that are about to break down
             for i, row in enumerate(parameters.tolist()):
                 system = _engine.describe(recipe.system, recipe.form, tuple(row))
-                np.add(*_engine.energies(system, states[i]), out=energies[i])
-        return energies
+                np.add(*energies(system, states[i]), out=found[i])
+        return found
 
 
 def start_name(component: str) -> str:
