@@ -192,7 +192,7 @@ def test_a_run_that_blows_up_says_when_and_leaves_no_file(
     output: str, capsys: pytest.CaptureFixture[str]
 ) -> None:
     printed = told(f"{BLOW_UP}{output}".split(), 1, capsys)
-    assert "euler stopped after t = " in printed
+    assert "euler stopped at t = " in printed
     assert " of 1000 s with step 1 s: the numbers grew beyond all bounds" in printed
     assert "take a smaller --step" in printed
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 import re
 import shlex
 from pathlib import Path
@@ -127,3 +128,22 @@ def test_the_largest_energy_error_is_of_the_steps_or_says_of_what(
 ) -> None:
     printed = unfolded("\n".join(lines_of(line)))
     assert re.search(rf"largest relative energy error{place} [\d.e-]+$", printed, re.MULTILINE)
+
+
+@pytest.mark.parametrize("every", ["10s", "300s", "999s", "700ms", "30ms"])
+@pytest.mark.parametrize("t_max", [1000, -1000])
+def test_a_run_that_blows_up_says_when_whatever_its_outputs(
+    every: str, t_max: int, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Not when its last output was: to a step, and not after the first output that it lacks."""
+    line = "solve linear --theta 5deg --length 50cm --method euler --step 1s --t-max"
+    start = (math.radians(5), 0.0)
+    run = pendula.solve(pendula.LinearPendulum(0.5), start, float(t_max), "euler", step=1.0)
+    assert main([*line.split(), f"{t_max}s", "--every", every]) == 1
+    printed = capsys.readouterr().err
+    found = re.search(rf"euler stopped at t = (\S+) s of {t_max} s with step 1 s", printed)
+    assert found
+    last, stopped = abs(float(run.t[-1])), abs(float(found[1]))
+    apart = {"700ms": 0.7, "30ms": 0.03}.get(every, 0.0)
+    assert last < stopped <= abs(run.reached) + apart
+    assert stopped == abs(run.reached) or apart

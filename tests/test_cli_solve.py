@@ -208,7 +208,7 @@ def test_own_steps_that_are_too_many_are_told_with_the_way_out(
     monkeypatch.setattr("pendula.run.solve.solve", limited)  # else it takes ten million
     assert main(["solve", "double", "--t-max", "1e12s"]) == 1
     printed = told(capsys)
-    assert "taylor stopped after t = " in printed
+    assert "taylor stopped at t = " in printed
     assert "set the time between outputs with --every" in printed
 
 

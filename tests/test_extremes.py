@@ -40,6 +40,36 @@ def test_energies_of_large_angles(system: DoublePendulum, angles: tuple[float, f
     assert energies.ravel()[-1] == run.energy[-1]
 
 
+SPINS = [(1e160, -1e160), (-1e308, 1e308), (1e154, -2e154), (1e154, -1.9e154), (1e154, 3e-160)]
+
+
+@pytest.mark.parametrize("system", DOUBLES)
+@pytest.mark.parametrize("spin", [*SPINS, *((-b, -a) for a, b in SPINS)])
+@pytest.mark.parametrize("angles", [(1.0, 1.0), (0.0, 3.14), (2.0, -1.0)])
+def test_energies_of_velocities_whose_squares_overflow(
+    system: DoublePendulum, angles: tuple[float, float], spin: tuple[float, float]
+) -> None:
+    """Infinite where they are beyond all doubles, never nan; else right."""
+    constants = {k: mpf(v) for k, v in system.constants.items()}
+    with mp.workdps(40):
+        (a, b), (w1, w2) = (map(mpf, pair) for pair in (angles, spin))
+        kinetic = (constants["A"] * w1**2 + constants["B"] * w2**2) / 2
+        kinetic += constants["C"] * w1 * w2 * cos(a - b)
+    truth = float(kinetic) if kinetic < np.finfo(float).max else np.inf
+    state, calm = (*angles, *spin), (*angles, 0.1, 0.2)
+    assert system.kinetic_energy(state) == pytest.approx(truth, rel=1e-14)
+    both = system.energy([[state, calm], [calm, state]])
+    assert both[0, 0] == both[1, 1] == system.energy(state) == pytest.approx(truth, rel=1e-14)
+    assert both[0, 1] == both[1, 0] == system.energy(calm)
+
+
+@pytest.mark.parametrize("system", [SimplePendulum(0.5), LinearPendulum(0.5)])
+def test_energies_of_one_bob_whose_square_overflows(system: SimplePendulum) -> None:
+    assert system.energy((1.0, -1e160)) == system.kinetic_energy((1.0, 1e160)) == np.inf
+    assert system.kinetic_energy((1.0, 2e154)) == pytest.approx(5e307, rel=1e-15)
+    assert np.isnan(system.energy((1e160, 1.0))) == system.can.periodic  # beyond the sine's range
+
+
 @pytest.mark.parametrize("method", ["taylor", "dop853"])
 @pytest.mark.parametrize("amplitude", [1e-77, 1e-150, 1e-155, 1e-163, 1e-200, 1e-250, 1e-300])
 @pytest.mark.parametrize("system", [SimplePendulum(0.5), LinearPendulum(0.5)])

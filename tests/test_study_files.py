@@ -135,9 +135,9 @@ def test_mistakes_are_told_before_anything_is_computed(
 
 
 def test_a_run_that_breaks_down_is_reported_not_hidden(quick: Path) -> None:
-    broken = _recipe("500 s", "500 ms", 'step = "1 s"\nreference_step = "5 ms"')
+    broken = _recipe("40 s", "25 ms", 'step = "1 s"\nreference_step = "5 ms"')
     quick.write_text(
-        broken.replace('until = "2 s"', 'until = "3 min"\nlength = "1 mm"\nstep = "1 s"')
+        broken.replace('until = "2 s"', 'until = "200 s"\nlength = "10 cm"\nstep = "1 s"')
     )
     out = run_study(quick, quick.parent / "out", "es")
     html = " ".join((out / "report.html").read_text(encoding="utf-8").split())
@@ -151,7 +151,7 @@ def test_a_run_that_breaks_down_is_reported_not_hidden(quick: Path) -> None:
 
 
 def test_a_reference_that_breaks_down_ends_the_study(quick: Path) -> None:
-    quick.write_text(_recipe("500 s", "5 s", 'step = "5 s"\nreference_step = "5 s"'))
+    quick.write_text(_recipe("500 s", "25 ms", 'step = "5 s"\nreference_step = "5 s"'))
     with pytest.raises(RuntimeError) as caught:
         run_study(quick, quick.parent / "out", "en")
     message = str(caught.value)
@@ -166,7 +166,10 @@ def test_a_reference_that_breaks_down_ends_the_study(quick: Path) -> None:
 @pytest.mark.parametrize(
     ("text", "told"),
     [
-        ('[double]\nl1 = "1e-12 m"\n', "line 2: the finest of convergence.steps must be short"),
+        (
+            '[double]\nl1 = "1e-12 m"\nt_max = "0.5 ms"\noutput = "50 ns"\nstep = "0.1 ms"\n',
+            "line 2: the finest of convergence.steps must be short",
+        ),
         ('[double]\nomega1 = "9e3 rad/s"\nstep = "50 ms"\nreference_step = "50 ms"\n', "line 4: "),
     ],
 )

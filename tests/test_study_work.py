@@ -61,7 +61,7 @@ def test_the_files_have_every_run_and_no_times(
             header, *rows = csv.reader(file)
         assert header == [
             "method", "step [s]", "tolerance [1]", "evaluations [1]",
-            "largest angle error [rad]", "energy error at the end [1]", "outcome",
+            "largest angle error at the outputs [rad]", "energy error at the end [1]", "outcome",
         ]  # fmt: skip
         takers = [each for each in methods() if system in each.systems]
         assert list(dict.fromkeys(row[0] for row in rows)) == [each.name for each in takers]

@@ -179,7 +179,7 @@ def test_a_table_has_a_row_for_each_run(double: WorkPrecision) -> None:
     frame = double.to_pandas()
     assert len(frame) == sum(len(each.settings) for each in double.methods)
     assert frame["step [s]"].isna().tolist() == (frame["method"] == "taylor").tolist()
-    assert math.isinf(frame["largest angle error [rad]"][0])
+    assert math.isinf(frame["largest angle error at the outputs [rad]"][0])
 
 
 def test_files_hold_every_run_and_what_was_compared(double: WorkPrecision, tmp_path: Path) -> None:
@@ -196,7 +196,7 @@ def test_files_hold_every_run_and_what_was_compared(double: WorkPrecision, tmp_p
         15,
         3.0,
     )
-    column = "largest angle error [rad]"
+    column = "largest angle error at the outputs [rad]"
     errors = np.concatenate([each.errors for each in double.methods]).tolist()
     assert [float(row[column]) for row in rows] == errors
     assert [float(row[column]) for row in data["rows"]] == errors

@@ -3,7 +3,7 @@
 from pendula.analysis.convergence import ConvergenceOrder, convergence_order
 from pendula.analysis.difference import angle_difference, parting_time
 from pendula.analysis.elliptic_cost import agm_iterations, series_terms
-from pendula.analysis.energy import largest_energy_errors, step_energy_errors
+from pendula.analysis.energy import at_steps, largest_energy_errors, step_energy_errors
 from pendula.analysis.linear_model import linear_model_error, period_limit, small_angle_limit
 from pendula.analysis.method_work import MethodWork, WorkPrecision
 from pendula.analysis.work_precision import time_scale, work_precision
@@ -14,6 +14,7 @@ __all__ = [
     "WorkPrecision",
     "agm_iterations",
     "angle_difference",
+    "at_steps",
     "convergence_order",
     "largest_energy_errors",
     "linear_model_error",

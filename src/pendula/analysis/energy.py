@@ -1,4 +1,4 @@
-"""The energy error of a run at each of its steps, of which outputs show only some."""
+"""A run at each of its steps, of which outputs show only some, and its energy error there."""
 
 from __future__ import annotations
 
@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from pendula._engine import ON_GRID
 from pendula.run.request import checked_name
 from pendula.run.solve import solve
 
@@ -15,11 +16,27 @@ if TYPE_CHECKING:
     from pendula.run.trajectory import Trajectory
 
 
+def at_steps(run: Trajectory) -> Trajectory:
+    """The same motion with its steps as output; the run itself where it has none of its own.
+
+    A run with output times is made again. The closed form and runs with `digits` have no steps.
+
+    Args:
+        run: one motion, of `solve` or `exact`.
+    """
+    asked = run.request
+    no_steps = run.method == "exact" or asked.digits is not None or asked.end == asked.t0
+    if no_steps or isinstance(asked.t, float):
+        return run
+    options = replace(asked, certify=None).options
+    method = checked_name(run.method)
+    return solve(run.system, asked.state, asked.end, method, t0=asked.t0, **options)
+
+
 def step_energy_errors(run: Trajectory) -> tuple[Array, Array]:
     """|E − E0| / E0 at every step of a run and at every output.
 
-    A run with output times of its own is made again with its steps as output. The closed form and
-    runs with `digits` have no steps: theirs are at the outputs.
+    Those of the closed form and of runs with `digits`, which have no steps, are at the outputs.
 
     Args:
         run: one motion, of `solve` or `exact`.
@@ -28,17 +45,11 @@ def step_energy_errors(run: Trajectory) -> tuple[Array, Array]:
         Times [s] and errors, each (k,), in the order of the run; a step that is an output stands
         there twice.
     """
-    asked = run.request
-    t, errors = run.t, _errors(run)
-    no_steps = run.method == "exact" or asked.digits is not None or asked.end == asked.t0
-    if no_steps or isinstance(asked.t, float):
+    t, errors, again = run.t, _errors(run), at_steps(run)
+    if again is run:
         return t, errors
-    options = replace(asked, certify=None).options
-    again = solve(
-        run.system, asked.state, asked.end, checked_name(run.method), t0=asked.t0, **options
-    )
     t, errors = np.concatenate([t, again.t]), np.concatenate([errors, _errors(again)])
-    order = np.argsort(t if asked.end > asked.t0 else -t, kind="stable")
+    order = np.argsort(t if run.request.end > run.request.t0 else -t, kind="stable")
     return t[order], errors[order]
 
 
@@ -51,7 +62,9 @@ def largest_energy_errors(run: Trajectory) -> Array:
     if t is run.t or not run.t.size:
         return _errors(run)
     forward = 1.0 if run.request.end >= run.request.t0 else -1.0
-    place = np.minimum(np.searchsorted(forward * run.t, forward * t), run.t.size - 1)
+    # A step that lies on an output is n h, which is off the output's own time by some roundings.
+    slack = ON_GRID * (run.request.step or 0.0) + np.spacing(np.abs(run.t))
+    place = np.minimum(np.searchsorted(forward * run.t + slack, forward * t), run.t.size - 1)
     largest = _errors(run)
     np.maximum.at(largest, place, errors)
     return largest

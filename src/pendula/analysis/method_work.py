@@ -145,7 +145,7 @@ class WorkPrecision:
             "tolerance [1]": [float(m.settings[i]) if m.adaptive else math.nan for m, i in each],
             "evaluations [1]": [int(m.evaluations[i]) for m, i in each],
             "processor time [s]": [float(m.seconds[i]) for m, i in each],
-            "largest angle error [rad]": [float(m.errors[i]) for m, i in each],
+            "largest angle error at the outputs [rad]": [float(m.errors[i]) for m, i in each],
             "energy error at the end [1]": [float(m.energy_errors[i]) for m, i in each],
             "outcome": [m.outcomes[i] for m, i in each],
         }

@@ -102,12 +102,14 @@ def check_outcome(run: Trajectory, t_max: float) -> None:
     Raises:
         click.ClickException: saying when, why, and what to do.
     """
+    from pendula.run._times import stopped_at
+
     if run.outcome not in ("reached_end", "event"):
         asked = run.request
-        last = f"{run.t[-1]:.6g}" if run.t.size else f"{asked.t0:g}"
         step = f" with step {asked.step:g} s" if asked.step else ""
         raise click.ClickException(
-            f"{run.method} stopped after t = {last} s of {t_max:g} s{step}: {_why(run, t_max)}"
+            f"{run.method} stopped at t = {stopped_at(run):.6g} s of {t_max:g} s{step}: "
+            f"{_why(run, t_max)}"
         )
 
 

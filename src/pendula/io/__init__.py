@@ -11,8 +11,9 @@ from pendula._messages import one_line
 from pendula._writing import refuse_existing, replacing
 from pendula.io import files
 from pendula.io.attributes import NotATrajectoryError, from_attributes
+from pendula.io.ends import check_ends
 from pendula.io.tables import to_pandas, to_xarray
-from pendula.io.whole import UncheckedFileWarning, Whole, check_ends, recipe_of, warn_unchecked
+from pendula.io.whole import UncheckedFileWarning, Whole, recipe_of, warn_unchecked
 from pendula.run.trajectory import Trajectory
 
 if TYPE_CHECKING:

@@ -20,7 +20,6 @@ if TYPE_CHECKING:
     from pathlib import Path
 
     from pendula._types import Array
-    from pendula.run.trajectory import Trajectory
 
 _NEEDED = ("system", "method", "state", "t", "t0", "outcome", "n_steps", "n_evaluations")
 _BEFORE = {  # all that a recipe without a checksum can hold
@@ -152,6 +151,8 @@ class Whole:
         if count != wanted:
             rest = self._missing(count) if count < wanted else ""
             raise damaged(self._source, f"it holds {count} of {wanted} times{rest}")
+        if count == 0 and known["t"] is None and known["method"] != "exact":
+            raise damaged(self._source, "it holds no times")
         if count * 8 > _DENSEST * self._stored.size:
             raise damaged(
                 self._source, f"it cannot hold {count} times in {self._stored.size} bytes"
@@ -212,41 +213,6 @@ class Whole:
             raise damaged(
                 self._source, f"row {row + 1}, at {after!r} s, does not follow {before!r} s"
             )
-
-
-def check_ends(run: Trajectory, source: Path) -> None:
-    """Refuse what cannot be all of a run, in a file that has no checksums to tell it.
-
-    Raises:
-        NotATrajectoryError: saying what does not fit.
-    """
-    if run.method == "exact":
-        return
-    asked, count = run.request, run.t.size
-    complete = run.outcome == "reached_end"
-    if isinstance(asked.t, float):
-        if complete:
-            _check_own_steps(run, asked.t, source)
-    elif run.t.tolist() != asked.t[:count].tolist() or (complete and count != asked.t.size):
-        raise damaged(source, f"its {count} times are not the {asked.t.size} asked for")
-    if count and run.t[0] == asked.t0 and run.states[0].tolist() != asked.state.tolist():
-        raise damaged(source, "row 1 is not the state at the start")
-    if complete and asked.step is not None:
-        span = abs(asked.end - asked.t0)
-        if span > 1.001 * (run.n_steps + 1) * asked.step:  # roughly: they may be shortened
-            raise damaged(source, f"{run.n_steps} steps of {asked.step!r} s are not {span!r} s")
-
-
-def _check_own_steps(run: Trajectory, end: float, source: Path) -> None:
-    """Of a run that reached its end: the first time, the last, and a row for each step."""
-    times: list[float] = run.t.tolist()
-    if not times or times[-1] != end:
-        last = f"{times[-1]!r} s" if times else "nowhere"
-        raise damaged(source, f"it ends at {last}, but the run at {end!r} s")
-    if times[0] != run.request.t0:
-        raise damaged(source, f"row 1 is at {times[0]!r} s, not at the start")
-    if run.request.digits is None and len(times) != run.n_steps + 1:
-        raise damaged(source, f"it holds {len(times)} times of {run.n_steps} steps")
 
 
 def damaged(source: Path, what: str) -> NotATrajectoryError:

@@ -5,8 +5,9 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING
 
+from pendula._engine import ON_GRID
 from pendula.run.exact import exact
-from pendula.study.runs import REPETITIONS
+from pendula.study.runs import REPETITIONS, double_pendulum
 from pendula.systems import DoublePendulum, SimplePendulum
 
 if TYPE_CHECKING:
@@ -19,6 +20,8 @@ if TYPE_CHECKING:
 
 _MOST_STEPS = 10_000_000
 _MOST_POINTS = 20_000
+_A_PERIOD = 20  # fewest outputs in a period
+_RODS = ("l1", "l2", "gravity", "m1", "m2")
 
 
 def check(recipe: Recipe, blame: Blame) -> None:
@@ -31,6 +34,7 @@ def check(recipe: Recipe, blame: Blame) -> None:
     _check_order(recipe, blame)
     _check_simple(recipe, blame)
     _check_double(recipe, blame)
+    _check_outputs(recipe, blame)
 
 
 def _check_spans(recipe: Recipe, blame: Blame) -> None:
@@ -110,6 +114,48 @@ def _check_double(recipe: Recipe, blame: Blame) -> None:
             DoublePendulum.rods(**(values | heavier))
     except ValueError:
         raise _uncomputable("double", values, blame) from None
+
+
+def _check_outputs(recipe: Recipe, blame: Blame) -> None:
+    """Outputs must show the motion, and the last must be the end, of which the text speaks."""
+    simple, convergence = recipe.simple, recipe.convergence
+    bob = SimplePendulum(simple.length, simple.gravity, simple.mass)
+    rods, _ = double_pendulum(recipe.double)
+    longest = max(convergence.steps)
+    rows = (
+        ("simple", "output", simple.output, simple.t_max, bob, ("length", "gravity")),
+        ("double", "output", recipe.double.output, recipe.double.t_max, rods, _RODS),
+        ("convergence", "steps", longest, convergence.t_max, None, ()),
+    )
+    for section, key, every, t_max, system, parameters in rows:
+        largest = t_max if system is None else math.tau / system.fastest_frequency / _A_PERIOD
+        take = f"take {_nice_part(t_max, min(every, largest)):.12g} s"
+        if every > largest:
+            if t_max > _MOST_POINTS * largest:
+                longest_run = _rounded_down(_MOST_POINTS * largest)
+                take = f"take {section}.t_max = {longest_run} s and a {_A_PERIOD}th of the period"
+            swings = "small swings" if section == "simple" else "the fastest small swings"
+            rule = f"{section}.{key} must be at most a {_A_PERIOD}th of the period of {swings}"
+            told = f"{rule}, {_rounded_down(largest)} s, got {every:g} s; {take}"
+            raise blame(section, (key, *parameters), told)
+        count = t_max / every
+        if abs(count - round(count)) > ON_GRID:
+            name = f"{section}.{key}" if system else f"the longest of {section}.{key}"
+            rule = f"{name} must divide {section}.t_max = {t_max:.12g} s, got {every:.12g} s"
+            shorter = f"{section}.t_max = {math.floor(count) * every:.12g} s"
+            raise blame(section, (key, "t_max"), f"{rule}; {take}, or {shorter}")
+
+
+def _nice_part(whole: float, most: float) -> float:
+    """The largest half, fifth, tenth, 20th, 50th … of a whole that is not more than that."""
+    power = 10.0 ** max(math.floor(math.log10(whole / most)), 0)
+    return next(whole / (n * power) for n in (1, 2, 5, 10) if whole <= most * n * power)
+
+
+def _rounded_down(value: float) -> str:
+    """To three digits."""
+    last = 10.0 ** (math.floor(math.log10(value)) - 2)
+    return f"{math.floor(value / last) * last:.12g}"
 
 
 def _uncomputable(section: str, values: dict[str, float], blame: Blame) -> ValueError:

@@ -120,7 +120,7 @@ def _convergence(results: Results) -> Columns:
     columns: Columns = {"step [s]": results.orders.steps.tolist()}
     for system, methods in results.orders.cases.items():
         for method, (errors, _) in methods.items():
-            columns[f"{system} {method} largest error [rad]"] = errors.tolist()
+            columns[f"{system} {method} largest error at the outputs [rad]"] = errors.tolist()
     return columns
 
 

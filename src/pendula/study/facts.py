@@ -14,6 +14,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from pendula._engine import ON_GRID, method_named
+from pendula.analysis import at_steps
+from pendula.run._times import stopped_at
 from pendula.run.solve import methods
 from pendula.study.errata import errata
 from pendula.study.runs import METHODS, REPETITIONS
@@ -135,18 +137,29 @@ def _elliptic(results: Results, numbers: Numbers) -> dict[str, Any]:
 def _method(results: Results, name: str, words: Labels, numbers: Numbers) -> dict[str, Any]:
     linear, simple = results.linear, results.simple
     run = simple.runs[name]
-    over = np.flatnonzero(np.abs(run.theta) > math.pi)
     return {
         "name": words.name(name),
         "evaluations": method_named(name).evaluations_per_step,
         "linear_error": numbers.degrees(_largest(linear, name)),
         "simple_error": numbers.degrees(_largest(simple, name)),
-        "linear_energy": numbers.plain(float(linear.runs[name].energy_error[-1])),
+        "linear_energy": numbers.plain(_final_energy_error(linear.runs[name])),
         "linear_energy_theory": numbers.plain(_energy_growth(results, name)),
-        "simple_energy": numbers.plain(float(run.energy_error[-1])),
-        "over_top": numbers.plain(float(run.t[over[0]])) if len(over) else None,
+        "simple_energy": numbers.plain(_final_energy_error(run)),
+        "over_top": _over_top(run, numbers),
         "broke_down": [_end(each.runs[name], numbers) for each in (linear, simple)],
     }
+
+
+def _over_top(run: Trajectory, numbers: Numbers) -> str | None:
+    """The first step after which the bob has passed the top; None: it has not."""
+    steps = at_steps(run)
+    over = np.flatnonzero(np.abs(steps.theta) > math.pi)
+    return numbers.plain(float(steps.t[over[0]])) if len(over) else None
+
+
+def _final_energy_error(run: Trajectory) -> float:
+    """At the end; nan: the run broke down before."""
+    return float(run.energy_error[-1]) if run.outcome == "reached_end" else math.nan
 
 
 def _energy_growth(results: Results, name: str) -> float:
@@ -155,7 +168,7 @@ def _energy_growth(results: Results, name: str) -> float:
     A step multiplies the energy by |R(i ωn h)|², R the method's stability function (Hairer & Wanner
     1996, IV.3). The last step is shortened where the end is no multiple of the step.
     """
-    end, step = float(results.linear.runs[name].t[-1]), results.recipe.simple.step
+    end, step = results.recipe.simple.t_max, results.recipe.simple.step
     full = math.floor(end / step + ON_GRID)
     frequency = results.pendulum.natural_frequency
     growth = growth_polynomial(method_named(name).stability_polynomial)
@@ -187,7 +200,7 @@ def _largest(compared: Comparison, name: str) -> float:
 
 def _end(run: Trajectory, numbers: Numbers) -> str | None:
     """When a run broke down; None if it did not."""
-    return None if run.outcome == "reached_end" else numbers.plain(float(run.t[-1]))
+    return None if run.outcome == "reached_end" else numbers.plain(stopped_at(run))
 
 
 def _orders(results: Results, words: Labels, numbers: Numbers) -> dict[str, Any]:
@@ -255,7 +268,8 @@ def _parting(results: Results, name: str, words: Labels, numbers: Numbers) -> di
 def _agreement(results: Results, numbers: Numbers) -> list[dict[str, str]]:
     """The reference against its repetitions, at each fifth of the run."""
     t, apart = results.double.reference.t, results.double.own_difference
-    places = [round(fifth * (len(t) - 1) / 5) for fifth in range(1, 6)]
+    # of few points each once
+    places = sorted({math.ceil(fifth * (len(t) - 1) / 5) for fifth in range(1, 6)})
     return [
         {"time": numbers.short(float(t[i])), "difference": numbers.degrees(float(apart[i]), 2)}
         for i in places

@@ -22,6 +22,7 @@ from pendula.analysis import (
     small_angle_limit,
     step_energy_errors,
 )
+from pendula.run._times import spaced, stopped_at
 from pendula.run.exact import exact
 from pendula.run.solve import solve
 from pendula.study.work import work
@@ -35,7 +36,7 @@ if TYPE_CHECKING:
     from pendula._types import Array, MethodName
     from pendula.analysis import WorkPrecision
     from pendula.run.trajectory import Trajectory
-    from pendula.study.schema import Convergence, Double, Elliptic, LinearModel, Period, Recipe
+    from pendula.study.schema import Convergence, Double, Elliptic, LinearModel, Recipe
 
 
 METHODS: tuple[MethodName, ...] = ("euler", "heun", "rk4")
@@ -72,9 +73,9 @@ class DoubleComparison(Comparison):
     own_difference: Array
     """Largest angle difference between the reference and any of its repetitions [rad], (n,)."""
     parting: dict[str, float]
-    """When each method parted from the reference [s]; inf: not within the run."""
+    """When each method parted from the reference, to a step [s]; inf: not within the run."""
     horizon: float
-    """When the first repetition parted from the reference [s]; inf: not within the run."""
+    """When the first repetition parted from the reference, to a step [s]; inf: likewise."""
 
     def trusted_parting(self, method: str) -> float:
         """When a method parted from the trusted reference [s]; inf: not while it is trusted."""
@@ -153,7 +154,7 @@ def compute(recipe: Recipe) -> Results:
     part = recipe.simple
     linear = LinearPendulum(part.length, part.gravity, part.mass)
     simple = SimplePendulum(part.length, part.gravity, part.mass)
-    t = times(part.t_max, part.output)
+    t = spaced(0.0, part.t_max, part.output)
     releases = {"gentle": (part.gentle, 0.0), "large": (part.large, 0.0)}
     models = {n: (exact(simple, s, t), exact(linear, s, t)) for n, s in releases.items()}
     gentle, large = models["gentle"][1], models["large"][0]
@@ -162,7 +163,7 @@ def compute(recipe: Recipe) -> Results:
         pendulum=simple,
         models=models,
         linear_errors=_linear_errors(recipe.linear_model),
-        periods=_periods(simple, recipe.period),
+        periods=periods(simple, np.array(sorted(recipe.period.amplitudes)), recipe.period.terms),
         elliptic=_elliptic_cost(recipe.elliptic),
         linear=_comparison(linear, releases["gentle"], gentle, part.step),
         simple=_comparison(simple, releases["large"], large, part.step),
@@ -170,13 +171,6 @@ def compute(recipe: Recipe) -> Results:
         work=work(recipe, simple, *double_pendulum(recipe.double)),
         double=_double(recipe),
     )
-
-
-def times(t_max: float, output: float) -> Array:
-    """Times from 0 at which points are kept [s], (n,); the last is not after `t_max`."""
-    # A span that is a whole number of outputs but for rounding has them all.
-    count = math.floor(t_max / output * (1 + 1e-12)) + 1
-    return np.arange(count, dtype=np.float64) * output
 
 
 def double_pendulum(part: Double) -> tuple[DoublePendulum, tuple[float, float, float, float]]:
@@ -197,24 +191,36 @@ def _comparison(
 def _double(recipe: Recipe) -> DoubleComparison:
     part = recipe.double
     system, state = double_pendulum(part)
-    t = times(part.t_max, part.output)
-    reference = solve(system, state, t, "rk4", step=part.reference_step)
-    repeated = list(_repeated(part, t))
-    place = recipe.place(("double", "reference_step"), *_START)
-    for run in (reference, *repeated):
-        _check_reached(run, f"{place}: double.reference_step", part.reference_step)
-    own = np.max([angle_difference(run, reference) for run in repeated], axis=0)
+    reference, own = _reference(recipe, spaced(0.0, part.t_max, part.output))
     compared = _comparison(system, state, reference, part.step)
-    return DoubleComparison(
-        system,
-        reference,
-        compared.runs,
-        compared.differences,
-        compared.energy_errors,
-        own_difference=own,
-        parting={m: parting_time(t, d, part.tolerance) for m, d in compared.differences.items()},
-        horizon=parting_time(t, own, part.tolerance),
-    )
+    parting, horizon = _partings(recipe)
+    return DoubleComparison(**vars(compared), own_difference=own, parting=parting, horizon=horizon)
+
+
+def _reference(recipe: Recipe, t: Array) -> tuple[Trajectory, Array]:
+    """The double pendulum's reference, and its largest difference from a repetition [rad], (n,)."""
+    part = recipe.double
+    system, state = double_pendulum(part)
+    place = recipe.place(("double", "reference_step"), *_START)
+    reference = solve(system, state, t, "rk4", step=part.reference_step)
+    own = np.zeros(t.size)
+    for run in (reference, *_repeated(part, t)):
+        _check_reached(run, f"{place}: double.reference_step", part.reference_step)
+        np.maximum(own, angle_difference(run, reference), out=own)
+    return reference, own
+
+
+def _partings(recipe: Recipe) -> tuple[dict[str, float], float]:
+    """When methods and repetitions part from the reference [s]: seen at every step or output."""
+    part = recipe.double
+    system, state = double_pendulum(part)
+    t = spaced(0.0, part.t_max, min(part.step, part.output))
+    reference, own = _reference(recipe, t)
+    moments: dict[str, float] = {}
+    for method in METHODS:
+        run = solve(system, state, t, method, step=part.step)
+        moments[method] = parting_time(t, angle_difference(run, reference), part.tolerance)
+    return moments, parting_time(t, own, part.tolerance)
 
 
 def _check_reached(run: Trajectory, key: str, step: float) -> None:
@@ -222,7 +228,7 @@ def _check_reached(run: Trajectory, key: str, step: float) -> None:
     if run.outcome != "reached_end":
         raise RuntimeError(
             f"{key} must be short enough for the double pendulum's reference run to reach the end, "
-            f"got {step:g} s, and it breaks down at {run.t[-1]:g} s; take a smaller one than "
+            f"got {step:g} s, and it breaks down at {stopped_at(run):g} s; take a smaller one than "
             f"{step:g} s, or a slower motion"
         )
 
@@ -251,10 +257,6 @@ def periods(simple: SimplePendulum, amplitudes: Array, terms: tuple[int, ...]) -
     return Periods(amplitudes, simple.period(amplitudes), small, series)
 
 
-def _periods(simple: SimplePendulum, part: Period) -> Periods:
-    return periods(simple, np.array(sorted(part.amplitudes)), part.terms)
-
-
 def _elliptic_cost(part: Elliptic) -> EllipticCost:
     amplitudes = np.array(sorted(part.amplitudes))
     kc = np.cos(amplitudes / 2)
@@ -266,7 +268,7 @@ def _orders(
     part: Convergence, linear: LinearPendulum, simple: SimplePendulum, recipe: Recipe
 ) -> Orders:
     steps = np.array(sorted(part.steps, reverse=True))
-    t = times(part.t_max, float(steps[0]))
+    t = spaced(0.0, part.t_max, float(steps[0]))
     rods, start = double_pendulum(recipe.double)
     gentle, large = (recipe.simple.gentle, 0.0), (recipe.simple.large, 0.0)
     # A quarter of the finest step makes RK4's own error there 4⁴ = 256 times smaller.

@@ -11,6 +11,7 @@ from pendula._checks import finite_number, number, states_array
 from pendula._messages import ArgumentError
 from pendula._rules import broken, refuse
 from pendula._tables import html_table
+from pendula.systems.energies import energies
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -131,7 +132,7 @@ class System:
         return {"name": self.name, "form": self.form, "parameters": self.parameters}
 
     def _energies(self, states: ArrayLike) -> tuple[Array, Array]:
-        return _engine.energies(self._description(), self._directions(states))
+        return energies(self._description(), self._directions(states))
 
     def _directions(self, states: ArrayLike) -> Array:
         """The states, as the sine can take them, where angles are directions and nothing more."""

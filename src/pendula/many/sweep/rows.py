@@ -12,6 +12,7 @@ from pendula._progress import part
 from pendula._version import __version__
 from pendula.many.chunks import Axis, Variable, Work
 from pendula.many.tasks import checked_threads, run_task
+from pendula.systems.energies import energies
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -100,7 +101,7 @@ class SweepRows:
         with np.errstate(over="ignore", invalid="ignore"):  # of runs that are about to break down
             for i, row in enumerate(parameters.tolist()):
                 system = _engine.describe(recipe.system, recipe.form, tuple(row))
-                np.add(*_engine.energies(system, moving[i]), out=found["energy"][i])
+                np.add(*energies(system, moving[i]), out=found["energy"][i])
                 if places:
                     where = _engine.positions(system, directions[i]).reshape(len(states[i]), -1)
                     for name, values in zip(places, where.T, strict=True):
