@@ -134,7 +134,10 @@ def _parts(value: Any) -> tuple[Any, str | None]:
         return value, None
     if _is_of_pint(value):
         return value.magnitude, _text(format(unit, "D"))
-    return _array(value), _text(unit)  # astropy, unyt, netCDF4
+    numbers = _array(value)  # astropy, unyt, netCDF4
+    if numbers.ndim == 0 and numbers.dtype.kind == "O":  # a moment of pandas has a unit, too
+        raise TypeError("no number")
+    return numbers, _text(unit)
 
 
 def _is_of_pint(value: Any) -> bool:
