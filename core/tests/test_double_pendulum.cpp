@@ -52,7 +52,7 @@ BOOST_AUTO_TEST_CASE(rods_and_bobs_are_bodies) {
 }
 
 BOOST_AUTO_TEST_CASE(a_light_upper_bob_loses_no_digits_of_the_determinant) {
-  for (const double light : {0.05, 1e-3, 1e-9, 1e-15, 1e-100}) {
+  for (const double light : {0.03, 1e-3, 1e-9, 1e-15, 1e-100}) {
     const double p[] = {light, 0.7, 1.7, 1.9, 9.81};
     const auto system = double_pendulum::make<double>(1, p);
     // A B − C² = m1 m2 l1² l2² for bobs: the constants, rounded, have lost m1
