@@ -114,3 +114,10 @@ def test_tables_and_figures_say_what_their_largest_are_taken_of(
     assert text["methods.typ"].count(steps) == 1
     for name in ("linear.typ", "methods.typ", "double.typ", "equations.typ"):
         assert re.search(r"(every|cada) #[sd]\.output|#s\.output\], \[#d\.output", text[name])
+
+
+@pytest.mark.parametrize("name", TEXTS)
+@pytest.mark.parametrize("language", ["en", "es"])
+def test_a_number_and_its_unit_stay_on_one_line(language: str, name: str) -> None:
+    apart = re.compile(r"#(?!let|if|else)[\w.]+ (?:m|kg|s|ms|rad|rad/s|m/s²)\b")
+    assert not apart.findall((TEMPLATES / language / name).read_text(encoding="utf-8"))
