@@ -48,9 +48,10 @@ void run_group(const group& some, const request& asked, const ensemble_rows& row
   fixed_run<Method, Sys> drive(system, start, asked.t0, step, asked.step_limit());
   const auto results = drive.through(outputs, sink, [&](std::int64_t) { return to.go_on(); });
   for (int l = 0; l < some.count; ++l) {
-    const auto& [ended, outputs_reached, steps, evaluations] = results[l];
-    const double reached = time_reached(ended, steps, asked.t0, step, asked.end());
-    to.finish(some.trajectories[l], {ended, steps, evaluations, reached});
+    const lane_result& found = results[l];
+    const double last = found.outputs > 0 ? asked.times[found.outputs - 1] : asked.t0;
+    const double reached = time_reached(found.ended, found.grid_steps, asked.t0, step, last, asked.end());
+    to.finish(some.trajectories[l], {found.ended, found.steps, found.evaluations, reached});
   }
 }
 

@@ -34,8 +34,10 @@ run_end solve(const request& asked, receiver& to) {
   with_drive(asked, [&](auto& drive) {
     const auto sink = [&](std::size_t i, const auto& y) { to.output(i, plan.times[i], y.data()); };
     const auto go_on = [&](std::int64_t steps) { return to.go_on(asked.t0 + static_cast<double>(steps) * step); };
-    const auto [ended, outputs, steps, evaluations] = drive.through(plan.outputs, sink, go_on)[0];
-    end = {ended, steps, evaluations, time_reached(ended, steps, asked.t0, step, asked.end())};
+    const lane_result found = drive.through(plan.outputs, sink, go_on)[0];
+    const double last = found.outputs > 0 ? plan.times[found.outputs - 1] : asked.t0;
+    const double reached = time_reached(found.ended, found.grid_steps, asked.t0, step, last, asked.end());
+    end = {found.ended, found.steps, found.evaluations, reached};
   });
   return end;
 }

@@ -13,11 +13,12 @@
 
 namespace pendula::inline PENDULA_MACHINE {
 
-// Per lane: how it ended, how many outputs are its own, the steps it took, whole and shortened, and their evaluations.
+// Per lane: how it ended, how many outputs are its own, the steps it took, whole and shortened, their evaluations, and
+// how many steps on the grid it came.
 struct lane_result {
   outcome ended = outcome::reached_end;
   std::size_t outputs = 0;
-  std::int64_t steps = 0, evaluations = 0;
+  std::int64_t steps = 0, evaluations = 0, grid_steps = 0;
 };
 
 // Of what a method carries from step to step the drive asks whether it is finite, and that a lane forget where it was.
@@ -143,6 +144,7 @@ class fixed_run {
     --running_;
     results_[i].ended = how;
     results_[i].steps = steps_ + shortened_;
+    results_[i].grid_steps = steps_;
     if constexpr (Method::evaluations_per_step == 0) {
       results_[i].evaluations = evaluations_of(at_, i) + elsewhere_[i];
     } else {

@@ -59,9 +59,11 @@ inline fixed_plan own_steps(double t0, double step, double end) {
   return plan;
 }
 
-// The time up to which a run was made that took so many steps.
-inline double time_reached(outcome ended, std::int64_t steps, double t0, double step, double end) {
-  return ended == outcome::reached_end ? end : t0 + static_cast<double>(steps) * step;
+// The time up to which a run was made that came so many steps on the grid, and maybe beside it to its last output.
+inline double time_reached(outcome ended, std::int64_t steps, double t0, double step, double last_output, double end) {
+  if (ended == outcome::reached_end) return end;
+  const double after_steps = t0 + static_cast<double>(steps) * step;
+  return step < 0.0 ? std::fmin(after_steps, last_output) : std::fmax(after_steps, last_output);
 }
 
 }  // namespace pendula::inline PENDULA_MACHINE
