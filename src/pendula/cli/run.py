@@ -102,13 +102,11 @@ def check_outcome(run: Trajectory, t_max: float) -> None:
     Raises:
         click.ClickException: saying when, why, and what to do.
     """
-    from pendula.run._times import stopped_at
-
     if run.outcome not in ("reached_end", "event"):
         asked = run.request
         step = f" with step {asked.step:g} s" if asked.step else ""
         raise click.ClickException(
-            f"{run.method} stopped at t = {stopped_at(run):.6g} s of {t_max:g} s{step}: "
+            f"{run.method} stopped at t = {run.reached:.6g} s of {t_max:g} s{step}: "
             f"{_why(run, t_max)}"
         )
 

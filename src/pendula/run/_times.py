@@ -1,4 +1,4 @@
-"""Output times at equal distances, and the time at which a run stopped before its last one."""
+"""Output times at equal distances."""
 
 from __future__ import annotations
 
@@ -12,7 +12,6 @@ from pendula._engine import ON_GRID
 
 if TYPE_CHECKING:
     from pendula._types import Array
-    from pendula.run.trajectory import Trajectory
 
 
 def spaced(t0: float, t_max: float, every: float) -> Array:
@@ -30,12 +29,3 @@ def spaced(t0: float, t_max: float, every: float) -> Array:
     times = t0 + elapsed if t_max > t0 else t0 - elapsed
     times[-1] = t_max
     return times
-
-
-def stopped_at(run: Trajectory) -> float:
-    """When a run stopped: where its steps came to, not after the first output it lacks [s]."""
-    asked = run.request
-    bounds = [run.reached]
-    if not isinstance(asked.t, float):
-        bounds += asked.t[run.t.size :][:1].tolist()
-    return min(bounds, key=lambda t: abs(t - asked.t0))

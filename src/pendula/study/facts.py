@@ -15,7 +15,6 @@ import numpy as np
 
 from pendula._engine import ON_GRID, method_named
 from pendula.analysis import at_steps
-from pendula.run._times import stopped_at
 from pendula.run.solve import methods
 from pendula.study.errata import errata
 from pendula.study.runs import METHODS, REPETITIONS
@@ -200,7 +199,7 @@ def _largest(compared: Comparison, name: str) -> float:
 
 def _end(run: Trajectory, numbers: Numbers) -> str | None:
     """When a run broke down; None if it did not."""
-    return None if run.outcome == "reached_end" else numbers.plain(stopped_at(run))
+    return None if run.outcome == "reached_end" else numbers.plain(run.reached)
 
 
 def _orders(results: Results, words: Labels, numbers: Numbers) -> dict[str, Any]:

@@ -22,7 +22,7 @@ from pendula.analysis import (
     small_angle_limit,
     step_energy_errors,
 )
-from pendula.run._times import spaced, stopped_at
+from pendula.run._times import spaced
 from pendula.run.exact import exact
 from pendula.run.solve import solve
 from pendula.study.work import work
@@ -228,7 +228,7 @@ def _check_reached(run: Trajectory, key: str, step: float) -> None:
     if run.outcome != "reached_end":
         raise RuntimeError(
             f"{key} must be short enough for the double pendulum's reference run to reach the end, "
-            f"got {step:g} s, and it breaks down at {stopped_at(run):g} s; take a smaller one than "
+            f"got {step:g} s, and it breaks down at {run.reached:g} s; take a smaller one than "
             f"{step:g} s, or a slower motion"
         )
 
