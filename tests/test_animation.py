@@ -152,17 +152,13 @@ def test_bobs_are_where_the_motion_is(tmp_path: Path) -> None:
     assert scale[0] > scale[1] > 50
 
 
-def test_the_same_runs_give_the_same_pictures(tmp_path: Path) -> None:
+def test_the_same_runs_give_the_same_bytes(tmp_path: Path) -> None:
     run = MAKERS["simple"](0.5)
     for ending in ("gif", "mp4", "webm", "html"):
         one, other = tmp_path / f"one.{ending}", tmp_path / f"other.{ending}"
         for path in (one, other):
             run.animate(path, size=SMALL)
-        if ending == "gif":
-            assert one.read_bytes() == other.read_bytes()
-        elif ending != "html":
-            for first, again in zip(pictures(one)[0], pictures(other)[0], strict=True):
-                assert np.abs(first.astype(int) - again).max() < 16
+        assert one.read_bytes() == other.read_bytes(), ending
 
 
 def test_several_runs_are_drawn_over_one_another(tmp_path: Path) -> None:

@@ -24,7 +24,7 @@ class taylor_shadow final : public shadow {
 
   void proceed() override {
     time_ = end();
-    stepper_.proceed(stepper_.after(number(stepper_.length())));
+    stepper_.proceed(stepper_.at_end());
     expand();
   }
   two_doubles step_end() const override { return {end().hi, end().lo}; }

@@ -47,7 +47,7 @@ class adaptive_run {
     for (;;) {
       if (result.steps == step_limit) return ended(result, outcome::step_limit);
       stepper_.expand({time_.head[0], time_.tail[0]}, direction_);
-      const auto next = stepper_.after(stepper_.length());
+      const auto next = stepper_.at_end();
       if (!all_finite(next.head) || !countable()) return ended(result, outcome::not_finite);
       ++result.steps;
       const S left = since_step(end_);

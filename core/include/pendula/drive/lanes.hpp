@@ -88,7 +88,7 @@ class lanes_run {
       stepper_.expand({time_.head[0], time_.tail[0]}, direction_);
       const S h = stepper_.length(), left = since_step(S(task_.end));
       const auto arrived = mask_not(less(S(direction_) * h, S(direction_) * left));
-      const auto next = stepper_.after(h);
+      const auto next = stepper_.at_end();
       auto sound = finite<S>(next.head);
       ++steps_;
       S stop = choose(arrived, left, h);

@@ -64,7 +64,7 @@ class dop853_stepper {
   };
   const memory& remembered() const { return now_; }
   void resume(const memory& from) { now_ = from; }
-  // On to the end of the step: `next` is what after(length()) says.
+  // On to the end of the step: `next` is what at_end() says.
   PENDULA_INLINE void proceed(const point& next) {
     now_ = {next, engine::unpaired(k_[last]), proposed_, now_.size, now_.enlarged};
   }
@@ -109,6 +109,7 @@ class dop853_stepper {
 
   // The point a time tau into the step.
   PENDULA_INLINE point after(S tau) const { return all_lanes(equal(tau, length_)) ? result_ : within(tau); }
+  PENDULA_INLINE point at_end() const { return result_; }
   state state_of(const point& there) const { return there.head; }
 
   const Sys& of() const { return system_; }

@@ -81,9 +81,9 @@ class taylor_stepper {
   }
   R length() const { return length_ * unit_; }
 
-  PENDULA_INLINE point after(S tau) const {
-    return at_.moved_by(series_.increment(tau * S(in_units_), inverse_.data()));
-  }
+  PENDULA_INLINE point after(S tau) const { return after_units(tau * S(in_units_)); }
+  // The end of the step, which is after(length()): the next one waits for it.
+  PENDULA_INLINE point at_end() const { return after_units(S(length_)); }
   state state_of(const point& there) const { return system_.from_canonical(there.head); }
 
   const Sys& of() const { return system_; }
@@ -146,7 +146,8 @@ class taylor_stepper {
   }
 
  private:
-  S velocity_at_end(int i) const { return state_of(after(S(length())))[degrees_of_freedom<Sys> + i]; }
+  PENDULA_INLINE point after_units(S tau) const { return at_.moved_by(series_.increment(tau, inverse_.data())); }
+  S velocity_at_end(int i) const { return state_of(at_end())[degrees_of_freedom<Sys> + i]; }
   S velocity_of_series(int i) const {
     S sum = series_.velocity(i, order_ - 1);
     for (int k = order_ - 2; k >= 0; --k) sum = sum * S(length_) + series_.velocity(i, k);
