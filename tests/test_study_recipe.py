@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 
 from pendula.study.recipe import read_recipe
+from refusals import refused_at
 
 DEFAULT = resources.files("pendula.study").joinpath("default.toml").read_text("utf-8")
 
@@ -121,12 +122,7 @@ def test_a_broken_recipe_is_told_in_one_line(
     tmp_path: Path, text: str | bytes, line: int, says: str
 ) -> None:
     path = _written(tmp_path, text)
-    with pytest.raises(ValueError, match=r"mine\.toml") as caught:
-        read_recipe(path)
-    message = str(caught.value)
-    assert message.startswith(f"{path}, line {line}: ")
-    assert says in message
-    assert "\n" not in message
+    refused_at(lambda: read_recipe(path), path, line, says)
 
 
 def test_a_missing_recipe_is_named(tmp_path: Path) -> None:

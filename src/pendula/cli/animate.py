@@ -18,6 +18,7 @@ from pendula.cli.options import (
     system_options,
     value,
 )
+from pendula.cli.pictures import language_option
 from pendula.cli.progress import late_bar, work_bar
 from pendula.cli.run import seconds, span_of, start_time
 from pendula.run.options import STANDARD_METHOD
@@ -71,13 +72,7 @@ def _picture_options() -> list[click.Parameter]:
             show_default=True,
             help="width and height in pixels",
         ),
-        click.Option(
-            ["--lang"],
-            type=click.Choice(["en", "es"]),
-            default="en",
-            show_default=True,
-            help="language of the words in it",
-        ),
+        language_option("the words in it"),
         click.Option(["--force"], is_flag=True, help="replace the file if it exists"),
     ]
 

@@ -39,14 +39,19 @@ def picture_options(picture: str) -> list[click.Parameter]:
             metavar="N",
             help="dots per inch of a .png [default: 200; of a map at least a pixel per cell]",
         ),
-        click.Option(
-            ["--lang"],
-            type=click.Choice(["en", "es"]),
-            default="en",
-            show_default=True,
-            help="language of the picture",
-        ),
+        language_option("the picture"),
     ]
+
+
+def language_option(of: str) -> click.Option:
+    """The option --lang."""
+    return click.Option(
+        ["--lang"],
+        type=click.Choice(["en", "es"]),
+        default="en",
+        show_default=True,
+        help=f"language of {of}",
+    )
 
 
 def checked_picture(given: dict[str, Any]) -> Path | None:
