@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from pendula import _engine
-from pendula.cli.groups import ChoiceGroup, one_each
+from pendula.cli.groups import ChoiceGroup, MethodChoice, one_each
 from pendula.cli.options import (
     run_options,
     run_options_of,
@@ -85,7 +85,7 @@ def _options(entry: SystemEntry) -> list[click.Parameter]:
         value("t_max", "end time", required=True),
         click.Option(
             ["--method"],
-            type=click.Choice([each.name for each in _engine.methods()], case_sensitive=False),
+            type=MethodChoice(),
             metavar="NAME",
             multiple=True,
             help="see `pendula methods`; may be repeated, to overlay them [default: taylor]",

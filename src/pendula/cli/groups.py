@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from pendula import _engine
+from pendula._messages import meant
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Mapping
@@ -58,6 +59,19 @@ class ChoiceGroup(click.Group):
                 reason or f"no {self.kind} {args[0]!r}; take one of {', '.join(self.commands)}"
             )
         return super().resolve_command(ctx, [name, *args[1:]])
+
+
+class MethodChoice(click.Choice[str]):
+    """The name of a method, in any case; the one most like it where it is none."""
+
+    def __init__(self) -> None:
+        super().__init__([each.name for each in _engine.methods()], case_sensitive=False)
+
+    def get_invalid_choice_message(self, value: Any, ctx: click.Context | None) -> str:
+        """What is said of another name."""
+        said = super().get_invalid_choice_message(value, ctx).removesuffix(".")
+        way_out = meant(value, self.choices)
+        return f"{said}; {way_out}" if way_out else said
 
 
 class _SystemCommand(click.Command):

@@ -72,6 +72,7 @@ def _run(run: Trajectory, given: dict[str, Any]) -> Drawing:
 def _map(found: Held, given: dict[str, Any]) -> Drawing:
     from pendula import plot
     from pendula.cli.map_output import summary
+    from pendula.cli.tables import paragraph
     from pendula.systems import system_from
 
     known, data = found.known, _dataset(found)
@@ -83,7 +84,7 @@ def _map(found: Held, given: dict[str, Any]) -> Drawing:
     click.echo(f"t_max = {known['t_max']:g} s, tolerance {known['tolerance']:.3g}")
     _unfinished(data)
     _shades(data)
-    click.echo(summary(known["map"], data))
+    click.echo(paragraph(summary(known["map"], data)))
     return lambda language: plot.stored_map(data, language=language, **look_of(given))
 
 

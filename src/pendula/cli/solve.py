@@ -9,7 +9,7 @@ import click
 
 from pendula import _engine
 from pendula.cli.events import EXAMPLES, check_events_file, event_of, write_found
-from pendula.cli.groups import one_each
+from pendula.cli.groups import MethodChoice, one_each
 from pendula.cli.options import (
     run_options,
     run_options_of,
@@ -49,7 +49,7 @@ def _options(entry: SystemEntry) -> list[click.Parameter]:
         value("t_max", "end time", required=True),
         click.Option(
             ["--method"],
-            type=click.Choice(names, case_sensitive=False),
+            type=MethodChoice(),
             metavar="NAME",
             default=STANDARD_METHOD,
             show_default=True,
