@@ -103,6 +103,7 @@ LINKED_METHOD: Columns[Method] = {
     "name": lambda each: Verbatim(f"[{each.name}](methods/{each.name}.md)"),
     **METHOD,
 }
+_RANGES = {"positive": "> 0", "not_negative": "≥ 0", "any": "ℝ"}
 SYSTEM: Columns[SystemEntry] = {
     "name": lambda each: Verbatim(f"[{each.name}](systems/{each.name}.md)"),
     "forms": lambda each: tuple(f"`{form.name}`" for form in each.forms if form.name) or "one",
@@ -113,7 +114,7 @@ PARAMETER: Columns[Parameter] = {
     "name": lambda each: Verbatim(f"`{each.name}`"),
     "unit": lambda each: Verbatim(_unit(each.unit)),
     "default": _default,
-    "range": lambda each: Verbatim("≥ 0" if each.zero_allowed else "> 0"),
+    "range": lambda each: Verbatim(_RANGES[each.range]),
     "meaning": lambda each: each.meaning,
 }
 COMPONENT: Columns[Component] = {

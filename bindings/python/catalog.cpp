@@ -25,7 +25,7 @@ nb::list parameter_rows(const pendula::form& form) {
     row["name"] = text(p.name);
     row["unit"] = text(p.unit);
     row["standard"] = p.standard;
-    row["zero_allowed"] = p.zero_allowed;
+    row["range"] = text(pendula::range_names[static_cast<std::size_t>(p.allowed)]);
     row["meaning"] = text(p.meaning);
     row["same_as"] = text(p.same_as);
     rows.append(row);

@@ -6,6 +6,7 @@
 
 #include "arrays.hpp"
 #include "interrupts.hpp"
+#include "pendula/kernels/balance.hpp"
 #include "pendula/kernels/check.hpp"
 #include "pendula/kernels/ensemble.hpp"
 #include "pendula/kernels/horizon.hpp"
@@ -15,7 +16,8 @@
 
 using namespace pendula_python;
 using namespace nb::literals;
-using pendula::crossings, pendula::dense_output, pendula::ensemble_result, pendula::request, pendula::run_result;
+using pendula::crossings, pendula::dense_output, pendula::energy_balance, pendula::ensemble_result,
+    pendula::motion_pieces, pendula::request, pendula::run_result;
 
 namespace {
 
@@ -93,7 +95,46 @@ nb::list outcome_names() {
   return names;
 }
 
+energy_balance balance(const request& asked, nb::object progress) {
+  if (asked.own_steps || pendula::check(asked)) throw nb::value_error("not a sound request with output times");
+  const auto watch = watching(std::move(progress));
+  auto result = released([&] { return pendula::balance_of(asked, watch); });
+  if (result.interrupted) throw nb::python_error();
+  return result;
+}
+
+void bind_balance(nb::module_& m) {
+  nb::class_<energy_balance>(m, "EnergyBalance", "Work done on a system and heat that it gave off since t0 [J].")
+      .def(
+          "parts", [](const energy_balance& b, std::size_t powers) { return view(b, b.parts, {b.net.size(), powers}); },
+          "powers"_a, "Of each power, (n, powers).")
+      .def_prop_ro(
+          "net", [](const energy_balance& b) { return view(b, b.net, {b.net.size()}); }, "Works less heats, (n,).")
+      .def_prop_ro(
+          "net_tails", [](const energy_balance& b) { return view(b, b.net_tails, {b.net.size()}); },
+          "What they go on with, (n,).");
+  m.def("balance", &balance, "request"_a, "progress"_a.none(), "Of the run, at the request's times.");
+  m.def(
+      "powers",
+      [](std::string_view system) {
+        const auto rows = pendula::powers_of(system);
+        nb::list works, heats;
+        for (std::size_t i = 0; i < rows.names.size(); ++i)
+          (i < rows.works ? works : heats).append(text(rows.names[i]));
+        return nb::make_tuple(works, heats);
+      },
+      "system"_a, nb::sig("def powers(system: str) -> tuple[list[str], list[str]]"),
+      "Names of what does work on a system, and of what turns its energy into heat.");
+}
+
 void bind_results(nb::module_& m) {
+  nb::class_<motion_pieces>(m, "Pieces", "When friction in a joint changed.")
+      .def_prop_ro(
+          "times", [](const motion_pieces& p) { return view(p, p.times, {p.times.size()}); }, "(k,) [s].")
+      .def(
+          "senses",
+          [](const motion_pieces& p, std::size_t joints) { return view(p, p.senses, {p.times.size(), joints}); },
+          "joints"_a, "Which way each joint slips from then on, 1 or -1, or 0: it sticks, (k, joints).");
   nb::class_<crossings>(m, "Crossings", "Times and states at which an event took place.")
       .def_prop_ro(
           "trajectories", [](const crossings& c) { return view(c, c.trajectories); }, "(k,), of an ensemble.")
@@ -122,6 +163,8 @@ void bind_results(nb::module_& m) {
           "dimension"_a, "What the states go on with, of a run with many digits, (n, d).")
       .def_prop_ro(
           "events", [](const run_result& r) { return &r.events; }, nb::rv_policy::reference_internal)
+      .def_prop_ro(
+          "pieces", [](const run_result& r) { return &r.pieces; }, nb::rv_policy::reference_internal)
       .def_ro("trust_horizon", &run_result::trust_horizon, "[s]; None: not asked.")
       .def_ro("dense", &run_result::dense, "None: the method has none.");
 }
@@ -130,6 +173,7 @@ void bind_results(nb::module_& m) {
 
 void bind_runs(nb::module_& m) {
   bind_results(m);
+  bind_balance(m);
   nb::class_<ensemble_result>(m, "EnsembleResult", "What came of many runs.")
       .def_ro("refused", &ensemble_result::refused, "The fault for which nothing was run; None: they were.")
       .def_prop_ro("outcomes", &outcomes, "(n,): how each ended.")

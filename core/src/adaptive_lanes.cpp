@@ -1,4 +1,6 @@
 // Many trajectories through the lanes of the methods that choose their steps.
+#include <algorithm>
+#include <functional>
 #include <vector>
 
 #include "pendula/catalog.hpp"
@@ -56,6 +58,27 @@ class feed {
   std::size_t first_output_;
 };
 
+// Lanes step together: trajectories whose friction changes from piece to piece run alone, and the terms that are there
+// have to be the same in all.
+template <class Entry>
+bool can_share(const request& asked, const ensemble_rows& rows) {
+  using Sys = typename Entry::template over<double>;
+  if constexpr (requires(const Sys& system) { system.terms(); }) {
+    const auto system_of = [&](std::size_t n) {
+      return Entry::template make<double>(asked.system.form, rows.parameters_of(n));
+    };
+    const auto terms = system_of(0).terms();
+    const std::size_t different = rows.parameters_apart == 0 ? 1 : rows.count;
+    for (std::size_t n = 0; n < different; ++n) {
+      const Sys system = system_of(n);
+      if (system.terms() != terms) return false;
+      if constexpr (Piecewise<Sys>)
+        if (std::ranges::any_of(system.switching(), std::identity{})) return false;
+    }
+  }
+  return true;
+}
+
 template <class Method, class Entry>
 void run_all(const request& asked, const ensemble_rows& rows, ensemble_receiver& to) {
   using One = typename Method::template stepper<typename Entry::template over<double>>;
@@ -78,7 +101,7 @@ bool run(const request& asked, const ensemble_rows& rows, ensemble_receiver& to)
     with<methods_through_lanes>(asked.method, [&]<class Method>() {
       if constexpr (takes<Method, Entry>) {
         using Stepper = typename Method::template stepper<typename Entry::template over<S>>;
-        built = asked.events.empty() || finds_events_in_lanes<Stepper>;
+        built = (asked.events.empty() || finds_events_in_lanes<Stepper>) && can_share<Entry>(asked, rows);
         if (built) run_all<Method, Entry>(asked, rows, to);
       }
     });

@@ -31,6 +31,9 @@ struct motion_of final : step_motion {
     const auto y = run.stepper().after(tau).head;
     std::copy_n(y.begin(), y.size() / 2, to);
   }
+  void state(double tau, double* to) const override {
+    std::ranges::copy(run.stepper().state_of(run.stepper().after(tau)), to);
+  }
   step_memory memory() const override { return packed(run.time(), run.stepper().remembered()); }
 
   const Run& run;
@@ -60,6 +63,11 @@ class reporter {
   void event(const Run& run, int place, double tau) {
     last_event_ = {run.time_after(tau), run.stepper().state_of(run.stepper().after(tau))};
     to_.event(place, last_event_.t, last_event_.y.data());
+  }
+  void piece(const Run& run)
+    requires requires { run.stepper().joints().senses; }
+  {
+    to_.piece(run.time().head[0], run.stepper().joints().senses);
   }
 
  private:
@@ -131,7 +139,7 @@ run_end revisit(const request& asked, const step_memory& from, receiver& to) {
     compensated_point<vec<double, 1>> time;
     typename Stepper::memory memory;
     std::memcpy(&time, from.data(), sizeof time);
-    std::memcpy(&memory, from.data() + 2, sizeof memory);
+    std::memcpy(static_cast<void*>(&memory), from.data() + 2, sizeof memory);
     stepper.resume(memory);
     adaptive_run<Stepper> run(stepper, time, asked.end(), asked.direction());
     return run.to_end(asked.step_limit(), reporter<adaptive_run<Stepper>>(asked.times, 0, to), polls_of(to));

@@ -100,8 +100,13 @@ system_numbers numbers_of(const system_description& of) {
   system_numbers numbers{};
   with_system(of, [&](const auto& system) {
     const auto constants = system.constants();
-    numbers = {
-        {constants.begin(), constants.end()}, system.energy_scale(), std::sqrt(system.largest_frequency_squared())};
+    bool sticks = false;
+    if constexpr (Piecewise<std::remove_cvref_t<decltype(system)>>)
+      sticks = std::ranges::any_of(system.holding(), [](double torque) { return torque > 0.0; });
+    numbers = {{constants.begin(), constants.end()},
+               system.energy_scale(),
+               std::sqrt(system.largest_frequency_squared()),
+               sticks};
   });
   return numbers;
 }

@@ -59,6 +59,12 @@ maybe check_times(const request& asked) {
   return {};
 }
 
+// What came to rest by dry friction may have done so at any time before: such a motion has no one past.
+maybe check_direction(const request& asked) {
+  if (asked.direction() > 0.0 || !numbers_of(asked.system).sticks) return {};
+  return fault{"t", "backward_of_dry_friction", asked.end(), {{"t0", asked.t0}}};
+}
+
 maybe check_step(const request& asked) {
   const double end = asked.end(), span = std::fabs(end - asked.t0);
   const auto named = [&](std::string_view key, std::vector<std::pair<std::string_view, fault_value>> details) {
@@ -204,8 +210,9 @@ maybe check(const system_description& of) {
     const double value = of.parameters[i];
     const std::string name(parameters[i].name), unit(parameters[i].unit);
     if (!std::isfinite(value)) return fault{name, "finite", value, {{"unit", unit}}};
-    if (value < 0.0 || (value == 0.0 && !parameters[i].zero_allowed))
-      return fault{name, parameters[i].zero_allowed ? "not_negative" : "positive", value, {{"unit", unit}}};
+    const range allowed = parameters[i].allowed;
+    if (allowed != range::any && (value < 0.0 || (value == 0.0 && allowed == range::positive)))
+      return fault{name, allowed == range::positive ? "positive" : "not_negative", value, {{"unit", unit}}};
   }
   for (const auto& [name, value, may_vanish] : numbers_of(of).constants)
     if (!std::isfinite(value) || (value <= 0.0 && !may_vanish))
@@ -223,10 +230,12 @@ maybe check_method(const request& asked) {
   static constexpr std::string_view rules[] = {"", "needs_energetic", "needs_mechanical", "needs_separable",
                                                "needs_analytic"};
   const names others = names_where(method_rows(), [&](const method_row& other) {
-    return (other.symplectic || !method->symplectic) && takes_system(other, asked.system.name);
+    return (other.symplectic || !method->symplectic || !system_named(asked.system.name)->can.conservative) &&
+           takes_system(other, asked.system.name);
   });
+  const bool ideal_alone = method->symplectic && !system_named(asked.system.name)->can.conservative;
   return fault{"method",
-               rules[static_cast<std::size_t>(method->needs)],
+               ideal_alone ? "needs_conservative" : rules[static_cast<std::size_t>(method->needs)],
                asked.method,
                {{"system", asked.system.name}, {"choices", others}}};
 }
@@ -257,6 +266,7 @@ maybe check(const request& asked) {
   if (auto found = check_method(asked)) return found;
   if (auto found = check_state(asked)) return found;
   if (auto found = check_times(asked)) return found;
+  if (auto found = check_direction(asked)) return found;
   return check_options(asked);
 }
 

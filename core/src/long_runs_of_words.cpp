@@ -20,8 +20,15 @@ struct collector {
   template <class Run>
   void event(const Run&, int, const typename Run::S&) {}
   template <class Run>
+  void piece(const Run& run)
+    requires requires { run.stepper().joints().senses; }
+  {
+    to.pieces.times.push_back(rough(run.time().head[0]));
+    for (const auto& sense : run.stepper().joints().senses) to.pieces.senses.push_back(rough(sense));
+  }
+  template <class Run>
   bool step(const Run& run, const typename Run::S& stop) {
-    const auto& at = run.stepper().remembered().head;
+    const auto& at = run.stepper().here().head;
     for (std::size_t i = 0; i < at.size() / 2; ++i)
       if (!(std::fabs(rough(at[i])) < largest_long_angle)) return false;
     for (; !times.empty() && reached(run, stop); times = times.subspan(1)) {

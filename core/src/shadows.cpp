@@ -2,6 +2,7 @@
 #include <vector>
 
 #include "pendula/catalog.hpp"
+#include "pendula/drive/pieces.hpp"
 #include "pendula/kernels/shadow_kernels.hpp"
 #include "pendula/scalar/wide_sincos.hpp"
 
@@ -23,8 +24,13 @@ class taylor_shadow final : public shadow {
   }
 
   void proceed() override {
-    time_ = end();
-    stepper_.proceed(stepper_.at_end());
+    const number next = end();
+    if (piece_ends_) {
+      if constexpr (Piecewise<Sys>) pieces_.begin_next(stepper_, {next, number(0.0)}, *piece_ends_);
+    } else {
+      stepper_.proceed(stepper_.at_end());
+    }
+    time_ = next;
     expand();
   }
   two_doubles step_end() const override { return {end().hi, end().lo}; }
@@ -34,10 +40,19 @@ class taylor_shadow final : public shadow {
   }
 
  private:
-  void expand() { stepper_.expand({time_, number(0.0)}, direction_); }
-  number end() const { return time_ + number(stepper_.length()); }
+  void expand() {
+    const head_and_tail<number> now{time_, number(0.0)};
+    stepper_.expand(now, direction_);
+    if constexpr (Piecewise<Sys>) {
+      pieces_.mended(stepper_, now, direction_);
+      piece_ends_ = pieces_.end_in_step(stepper_, now);
+    }
+  }
+  number end() const { return time_ + piece_ends_.value_or(number(stepper_.length())); }
 
   taylor_stepper<Sys> stepper_;
+  piece_follower<taylor_stepper<Sys>> pieces_;
+  std::optional<number> piece_ends_;  // after the start of the step
   number time_;
   double direction_;
 };

@@ -46,6 +46,10 @@ struct collector final : receiver {
     mine.states.insert(mine.states.end(), y, y + asked.state.size());
     last_event.assign(y, y + asked.state.size());
   }
+  void piece(double t, std::span<const double> senses) override {
+    to.pieces.times.push_back(t);
+    to.pieces.senses.insert(to.pieces.senses.end(), senses.begin(), senses.end());
+  }
   bool step(const step_motion& motion) override {
     starts.add(motion);
     return true;

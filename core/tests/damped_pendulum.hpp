@@ -19,7 +19,7 @@ struct damped_pendulum : one_bob {
                                     .periodic = true};
   static constexpr std::array parameters{
       one_bob::parameters[0], gravity_row, one_bob::parameters[2],
-      parameter{"friction", "kg m^2/s", 0.1, true, "torque of friction over velocity"}};
+      parameter{"friction", "kg m^2/s", 0.1, range::not_negative, "torque of friction over velocity"}};
   static constexpr std::array forms{form{"", "point mass on a massless rod, with friction at the pivot", parameters}};
 
   template <class S>

@@ -17,9 +17,10 @@ struct driven_pendulum : one_bob {
                                     .period = false,
                                     .mapped = false,
                                     .periodic = true};
-  static constexpr std::array parameters{one_bob::parameters[0], gravity_row, one_bob::parameters[2],
-                                         parameter{"drive", "rad/s^2", 1.0, true, "amplitude a of the drive"},
-                                         parameter{"frequency", "rad/s", 1.0, true, "frequency Ω of the drive"}};
+  static constexpr std::array parameters{
+      one_bob::parameters[0], gravity_row, one_bob::parameters[2],
+      parameter{"drive", "rad/s^2", 1.0, range::not_negative, "amplitude a of the drive"},
+      parameter{"frequency", "rad/s", 1.0, range::not_negative, "frequency Ω of the drive"}};
   static constexpr std::array forms{form{"", "point mass on a massless rod, driven", parameters}};
 
   template <class S>

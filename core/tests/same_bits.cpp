@@ -1,6 +1,7 @@
 // Runs the whole catalogue and the closed forms with several numbers of lanes and hashes every bit of what they give.
 // Prints the hash of each width; with a file as argument, compares them with the hash it holds, which changes only
 // where the arithmetic is changed on purpose.
+#include <array>
 #include <cstdio>
 #include <cstring>
 #include <fstream>
@@ -66,10 +67,10 @@ void run(std::size_t form, int first, std::vector<std::vector<double>>& numbers)
           [](auto) { return true; });
 }
 
-template <class S>
+template <class List, class S>
 std::uint64_t hash_of_catalogue() {
   hash all;
-  for_each<systems>([&]<class Entry>() {
+  for_each<List>([&]<class Entry>() {
     for (std::size_t form = 0; form < Entry::forms.size(); ++form)
       for_each<fixed_methods>([&]<class Method>() {
         if constexpr (takes<Method, Entry>) {
@@ -89,17 +90,27 @@ constexpr event every_kind_of_event[] = {{event_kind::angle, 0, 0.3},
                                          {event_kind::velocity_zero, 0},
                                          {event_kind::tip_height, 0, -0.4}};
 
+// Parameters of a trajectory that can go through lanes: without the friction that changes from piece to piece.
+template <class Entry>
+std::vector<double> without_pieces(int trajectory) {
+  std::vector<double> p;
+  for (const parameter& row : Entry::forms[0].parameters) {
+    const bool in_pieces = row.name.starts_with("coulomb") || row.name == "quadratic";
+    p.push_back(in_pieces ? 0.0 : parameter_of(trajectory, p.size()));
+  }
+  return p;
+}
+
 // Outputs and events of the adaptive methods' runs, through the lanes or one by one.
-template <class S>
+template <class List, class S>
 void adaptive_runs(hash& all) {
-  for_each<systems>([&]<class Entry>() {
+  for_each<List>([&]<class Entry>() {
     using Sys = typename Entry::template over<double>;
     for_each<adaptive_methods>([&]<class Method>() {
       for (const double log2_of_tolerance : {-52.0, -23.5}) {
         const auto place = [&](std::size_t n) {
           const int i = static_cast<int>(n);
-          std::vector<double> p(Entry::forms[0].parameters.size());
-          for (std::size_t k = 0; k < p.size(); ++k) p[k] = parameter_of(i, k);
+          const std::vector<double> p = without_pieces<Entry>(i);
           typename Method::template stepper<Sys> stepper(Entry::template make<double>(0, p.data()), log2_of_tolerance);
           typename Sys::state start;
           for (std::size_t k = 0; k < start.size(); ++k) start[k] = component_of(i, k);
@@ -125,13 +136,15 @@ void adaptive_runs(hash& all) {
   });
 }
 
-// Outputs inside the steps, forward and backward, and events of all kinds.
+// Outputs inside the steps, forward and, but for friction that can stick, backward, and events of all kinds.
+template <class List>
 void outputs_and_events(hash& all) {
   std::vector<double> numbers;
-  for_each<systems>([&]<class Entry>() {
+  for_each<List>([&]<class Entry>() {
     using Sys = typename Entry::template over<double>;
     for_each<adaptive_methods>([&]<class Method>() {
       for (const double end : {4.0, -4.0}) {
+        if (Piecewise<Sys> && end < 0.0) continue;
         std::vector<double> p(Entry::forms[0].parameters.size());
         for (std::size_t k = 0; k < p.size(); ++k) p[k] = parameter_of(1, k);
         typename Method::template stepper<Sys> stepper(Entry::template make<double>(0, p.data()), -52.0);
@@ -196,12 +209,20 @@ template <class S>
 using of_machine = std::conditional_t<(lanes<S>::count > lanes_of_machine), pack<double, lanes_of_machine>, S>;
 
 template <class S>
-std::uint64_t hash_of_all() {
-  hash all{hash_of_catalogue<S>()};
+std::uint64_t hash_of_ideal() {
+  hash all{hash_of_catalogue<ideal_systems, S>()};
   exact_motions<S>(all);
   single_numbers(all);
-  adaptive_runs<of_machine<S>>(all);
-  outputs_and_events(all);
+  adaptive_runs<ideal_systems, of_machine<S>>(all);
+  outputs_and_events<ideal_systems>(all);
+  return all.value;
+}
+
+template <class S>
+std::uint64_t hash_of_real() {
+  hash all{hash_of_catalogue<real_systems, S>()};
+  adaptive_runs<real_systems, of_machine<S>>(all);
+  outputs_and_events<real_systems>(all);
   return all.value;
 }
 
@@ -211,21 +232,24 @@ std::uint64_t hash_of_all() {
 #endif
 
 template <int... width>
-std::vector<std::uint64_t> hashes(std::integer_sequence<int, width...>) {
-  return {hash_of_all<std::conditional_t<width == 1, double, pack<double, width == 1 ? 2 : width>>>()...};
+std::vector<std::array<std::uint64_t, 2>> hashes(std::integer_sequence<int, width...>) {
+  const auto of = []<class S>(S) { return std::array{hash_of_ideal<S>(), hash_of_real<S>()}; };
+  return {of(std::conditional_t<width == 1, double, pack<double, width == 1 ? 2 : width>>{})...};
 }
 
 }  // namespace
 
+// Of the ideal systems and of those with friction and drive.
 int main(int count, char** arguments) {
   const std::vector<int> widths{PENDULA_LANES};
-  const std::vector<std::uint64_t> found = hashes(std::integer_sequence<int, PENDULA_LANES>{});
+  const auto found = hashes(std::integer_sequence<int, PENDULA_LANES>{});
   bool same = true;
   std::string expected;
-  if (count > 1) std::ifstream(arguments[1]) >> expected;
+  if (count > 1) std::getline(std::ifstream(arguments[1]), expected);
   for (std::size_t i = 0; i < found.size(); ++i) {
-    char text[17];
-    std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(found[i]));
+    char text[34];
+    std::snprintf(text, sizeof text, "%016llx %016llx", static_cast<unsigned long long>(found[i][0]),
+                  static_cast<unsigned long long>(found[i][1]));
     std::printf("%d lanes: %s\n", widths[i], text);
     same = same && (count > 1 ? text == expected : found[i] == found[0]);
   }

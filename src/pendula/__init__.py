@@ -15,7 +15,13 @@ from pendula._version import __version__ as __version__
 # waits. The command line imports the modules by themselves, as its help has to be there at once.
 _HOMES = {
     "_angles": ("DegreesWarning", "degrees"),
-    "systems": ("DoublePendulum", "LinearPendulum", "SimplePendulum"),
+    "systems": (
+        "DampedDoublePendulum",
+        "DoublePendulum",
+        "DrivenPendulum",
+        "LinearPendulum",
+        "SimplePendulum",
+    ),
     "run.exact": ("action", "exact", "time_at"),
     "run.sections": ("poincare_section",),
     "run.solve": ("methods", "solve"),
@@ -59,11 +65,19 @@ if TYPE_CHECKING:
     from pendula.run.solve import methods, solve
     from pendula.run.stiffness import StiffWarning
     from pendula.run.trajectory import Trajectory
-    from pendula.systems import DoublePendulum, LinearPendulum, SimplePendulum
+    from pendula.systems import (
+        DampedDoublePendulum,
+        DoublePendulum,
+        DrivenPendulum,
+        LinearPendulum,
+        SimplePendulum,
+    )
 
 __all__ = [
+    "DampedDoublePendulum",
     "DegreesWarning",
     "DoublePendulum",
+    "DrivenPendulum",
     "Ensemble",
     "LinearPendulum",
     "SimplePendulum",

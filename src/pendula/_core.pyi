@@ -108,6 +108,18 @@ def check_options(request: Request) -> Fault | None:
 def check_system(description: Description) -> Fault | None:
     """The first fault of a description."""
 
+class Pieces:
+    """When friction in a joint changed."""
+
+    @property
+    def times(self) -> NDArray[numpy.float64]:
+        """(k,) [s]."""
+
+    def senses(self, joints: int) -> NDArray[numpy.float64]:
+        """
+        Which way each joint slips from then on, 1 or -1, or 0: it sticks, (k, joints).
+        """
+
 class Crossings:
     """Times and states at which an event took place."""
 
@@ -167,12 +179,37 @@ class RunResult:
     def events(self) -> list[Crossings]: ...
 
     @property
+    def pieces(self) -> Pieces: ...
+
+    @property
     def trust_horizon(self) -> float | None:
         """[s]; None: not asked."""
 
     @property
     def dense(self) -> DenseOutput:
         """None: the method has none."""
+
+class EnergyBalance:
+    """Work done on a system and heat that it gave off since t0 [J]."""
+
+    def parts(self, powers: int) -> NDArray[numpy.float64]:
+        """Of each power, (n, powers)."""
+
+    @property
+    def net(self) -> NDArray[numpy.float64]:
+        """Works less heats, (n,)."""
+
+    @property
+    def net_tails(self) -> NDArray[numpy.float64]:
+        """What they go on with, (n,)."""
+
+def balance(request: Request, progress: object | None) -> EnergyBalance:
+    """Of the run, at the request's times."""
+
+def powers(system: str) -> tuple[list[str], list[str]]:
+    """
+    Names of what does work on a system, and of what turns its energy into heat.
+    """
 
 class EnsembleResult:
     """What came of many runs."""

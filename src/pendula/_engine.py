@@ -30,7 +30,7 @@ class Parameter:
     name: str
     unit: str
     standard: float | None
-    zero_allowed: bool
+    range: str  # positive, not_negative or any
     meaning: str
     same_as: str
 
@@ -220,6 +220,13 @@ def describe(system: str, form: str, parameters: tuple[float, ...]) -> Descripti
     return Description(system, system_entries()[system].form_index(form), list(parameters))
 
 
+@cache
+def powers(system: str) -> tuple[tuple[str, ...], tuple[str, ...]]:
+    """Names of what does work on a system, and of what turns its energy into heat."""
+    works, heats = _core.powers(system)
+    return tuple(works), tuple(heats)
+
+
 def rhs(description: Description, states: Array, t: float) -> Array:
     """Time derivatives (..., d) of states (..., d)."""
     return _core.rhs(description, _rows(states), t).reshape(states.shape)
@@ -273,6 +280,7 @@ check_method = _core.check_method
 check_options = _core.check_options
 check_system = _core.check_system
 solve = _core.solve
+balance = _core.balance
 RunResult = _core.RunResult
 Crossings = _core.Crossings
 DenseOutput = _core.DenseOutput

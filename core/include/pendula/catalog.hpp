@@ -19,13 +19,18 @@
 #include "pendula/method/yoshida4.hpp"
 #include "pendula/method/yoshida6.hpp"
 #include "pendula/method/yoshida8.hpp"
+#include "pendula/system/damped_double_pendulum.hpp"
 #include "pendula/system/double_pendulum.hpp"
+#include "pendula/system/driven_linear_pendulum.hpp"
+#include "pendula/system/driven_pendulum.hpp"
 #include "pendula/system/linear_pendulum.hpp"
 #include "pendula/system/simple_pendulum.hpp"
 
 namespace pendula::inline PENDULA_MACHINE {
 
-using systems = std::tuple<linear_pendulum, simple_pendulum, double_pendulum>;
+using ideal_systems = std::tuple<linear_pendulum, simple_pendulum, double_pendulum>;
+using real_systems = std::tuple<driven_linear_pendulum, driven_pendulum, damped_double_pendulum>;
+using systems = decltype(std::tuple_cat(ideal_systems{}, real_systems{}));
 using fixed_methods = std::tuple<euler, heun, rk4, symplectic_euler, verlet, yoshida4, yoshida6, yoshida8, midpoint,
                                  gauss4, gauss6, gauss8>;
 using adaptive_methods = std::tuple<dop853, taylor>;

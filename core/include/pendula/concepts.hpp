@@ -69,15 +69,18 @@ concept CanonicalOver = requires(const Sys& system, const T& t, const vec<T, Sys
 template <class T, int W>
 struct pack;  // lanes: scalar/pack.hpp
 
-// The same motion in canonical variables (angles…, momenta…). Of one trajectory of doubles the stages of an implicit
+// A state and canonical variables (angles…, momenta…), in which the Taylor series is worked out, and back.
+template <class Sys>
+concept Canonical = SecondOrder<Sys> && requires(const Sys& system, const typename Sys::state& y) {
+  { system.canonical(y) } -> std::same_as<typename Sys::state>;
+  { system.from_canonical(y) } -> std::same_as<typename Sys::state>;
+};
+
+// The same motion in those. Of one trajectory of doubles the stages of an implicit
 // step lie side by side, in lanes: its equations are asked for over these, too.
 template <class Sys>
-concept Mechanical = SecondOrder<Sys> && CanonicalOver<Sys, typename Sys::scalar> &&
-                     (!std::same_as<typename Sys::scalar, double> || CanonicalOver<Sys, pack<double, 2>>) &&
-                     requires(const Sys& system, const typename Sys::state& y) {
-                       { system.canonical(y) } -> std::same_as<typename Sys::state>;
-                       { system.from_canonical(y) } -> std::same_as<typename Sys::state>;
-                     };
+concept Mechanical = Canonical<Sys> && CanonicalOver<Sys, typename Sys::scalar> &&
+                     (!std::same_as<typename Sys::scalar, double> || CanonicalOver<Sys, pack<double, 2>>);
 
 // H = T(p) + V(t, θ), with momenta in units in which they are the velocities.
 template <class Sys>
@@ -92,6 +95,36 @@ concept Positioned = SecondOrder<Sys> && requires(const Sys& system, const typen
   { system.lengths() } -> std::same_as<vec<typename Sys::scalar, Sys::dimension / 2>>;
   { system.positions(y) } -> std::same_as<std::array<vec<typename Sys::scalar, 2>, Sys::dimension / 2>>;
 };
+
+// Of the joints of a system with friction: the torque that friction has to balance where a joint is held, and the
+// relative acceleration of each.
+template <class S, std::size_t joints>
+struct joint_motion {
+  vec<S, joints> torques, accelerations;
+};
+
+// With friction that changes from piece to piece of the motion (drive/pieces.hpp): `senses` say which way each joint
+// slips, 1 or −1, or that it sticks, 0, and `rhs_in_piece` keeps to them. `holding` is the torque up to which each
+// joint can stick, `switching` whether its friction changes at all, in the units of `joints_at`.
+template <class Sys>
+concept Piecewise =
+    Energetic<Sys> && requires(Sys& system, const typename Sys::scalar& t, const typename Sys::state& y) {
+      { system.senses } -> std::convertible_to<vec<typename Sys::scalar, Sys::joints>>;
+      { system.rhs_in_piece(t, y) } -> std::same_as<typename Sys::state>;
+      { system.holding() } -> std::same_as<vec<typename Sys::scalar, Sys::joints>>;
+      { system.switching() } -> std::same_as<std::array<bool, Sys::joints>>;
+      { system.joints_at({t, t}, y) } -> std::same_as<joint_motion<typename Sys::scalar, Sys::joints>>;
+      { system.with_joint_at_rest(y, 0) } -> std::same_as<typename Sys::state>;
+    };
+
+// Whose energy changes: by the powers of what does work, the first `works` of them, and of what turns it into heat [W].
+template <class Sys>
+concept Dissipative =
+    Energetic<Sys> && requires(const Sys& system, const typename Sys::scalar& t, const typename Sys::state& y) {
+      { Sys::power_names[0] } -> std::convertible_to<std::string_view>;
+      { Sys::works } -> std::convertible_to<std::size_t>;
+      { system.powers({t, t}, y) } -> std::same_as<vec<typename Sys::scalar, Sys::power_names.size()>>;
+    };
 
 // A method with a system it takes: from a state it begins with what it carries from step to step, its state among it.
 template <class Method, class Sys>

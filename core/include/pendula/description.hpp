@@ -2,6 +2,7 @@
 // command line, the documentation and the tests read.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -9,15 +10,27 @@
 
 namespace pendula {
 
+// Which numbers make sense as a parameter; all are finite.
+enum class range : std::uint8_t { positive, not_negative, any };
+inline constexpr std::string_view range_names[] = {"positive", "not_negative", "any"};
+
 // A parameter's name, unit, range and sentence live in one row.
 struct parameter {
   std::string_view name;
-  std::string_view unit;          // SI
-  double standard;                // taken where the user names none; NaN: has to be named
-  bool zero_allowed;              // every parameter is finite; it is positive, or at least not negative
+  std::string_view unit;  // SI
+  double standard;        // taken where the user names none; NaN: has to be named
+  range allowed;
   std::string_view meaning;       // one phrase, lower case
   std::string_view same_as = {};  // where it is not named it takes this parameter's value
 };
+
+template <std::size_t n, std::size_t m>
+constexpr std::array<parameter, n + m> with_more(const std::array<parameter, n>& own,
+                                                 const std::array<parameter, m>& more) {
+  std::array<parameter, n + m> all{};
+  for (std::size_t i = 0; i < n + m; ++i) all[i] = i < n ? own[i] : more[i - n];
+  return all;
+}
 
 // One way to describe a system.
 struct form {
@@ -57,6 +70,7 @@ inline constexpr std::string_view facet_names[] = {"flow", "energetic", "mechani
 
 inline constexpr double to_be_named = __builtin_nan("");
 inline constexpr double standard_gravity = 9.80665;  // 3rd CGPM (1901), m/s²
-inline constexpr parameter gravity_row{"gravity", "m/s^2", standard_gravity, false, "gravitational acceleration"};
+inline constexpr parameter gravity_row{"gravity", "m/s^2", standard_gravity, range::positive,
+                                       "gravitational acceleration"};
 
 }  // namespace pendula

@@ -66,10 +66,10 @@ def summary(run: Trajectory) -> str:
     """How a run was made, how it ended, and until when it is accurate."""
     asked, error = run.request, "no outputs"
     if run.t.size:
-        kind = "error" if run.system.can.conservative else "change"
         # between outputs of their own choice a run's steps may be worse
         place = "" if isinstance(asked.t, float) else " at the outputs"
-        error = f"largest relative energy {kind}{place} {largest_energy_error(run):.2g}"
+        kind = run.energy_error_name.replace("energy e", "relative energy e")
+        error = f"largest {kind}{place} {largest_energy_error(run):.2g}"
     if run.method == "exact":
         return f"exact: {times_of(run)}; {error}"
     if asked.digits is not None:

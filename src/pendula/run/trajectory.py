@@ -12,10 +12,11 @@ from pendula._checks import finite_array
 from pendula._late_methods import with_promised
 from pendula._messages import ArgumentError
 from pendula._tables import html_table
+from pendula.run.balance import EnergyBalance, Pieces, balance_of
 from pendula.run.closed_form import exact_states
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator, Sequence
+    from collections.abc import Iterator, Mapping, Sequence
     from os import PathLike
 
     import pandas as pd
@@ -101,14 +102,48 @@ class Trajectory:
     def energy_error(self) -> Array:
         """(E(t) − E(t0)) / E(t0), (n,); over mgL (or D + E) for a start at rest at the bottom.
 
-        An error where the system is conservative (`system.can.conservative`), else a change. The
-        start is at rest where its energy is no more than the rounding of its angles could make:
-        whole turns from the bottom, a double is off by some 1e-16 of the angle.
+        The start is at rest where its energy is no more than the rounding of its angles could make:
+        whole turns from the bottom, a double is off by some 1e-16 of the angle. With friction or a
+        drive it is the defect of the balance, (E(t) − E(t0) − work + heat) over mgL (or D + E); of
+        a run with `digits` the change of the energy over that.
         """
         import numpy as np
 
         start = self.system.energy(self.request.state)[..., np.newaxis]
-        return (self.energy - start) / self._energy_scale[..., np.newaxis]
+        change = self.energy - start
+        if self.system.can.conservative:
+            return change / self._energy_scale[..., np.newaxis]
+        if self.request.digits is None:
+            change = (change - self.energy_balance.net) - self.energy_balance.net_tail
+        return change / self.system.energy_scale
+
+    @cached_property
+    def energy_balance(self) -> EnergyBalance:
+        """Work of each drive and heat of each friction since t0, integrated with the motion."""
+        return balance_of(self)
+
+    @property
+    def work(self) -> Array:
+        """Work done by drive and pivot since t0, (n,) [J]."""
+        return self._summed(self.energy_balance.work_by)
+
+    @property
+    def heat(self) -> Array:
+        """Heat that friction gave off since t0, (n,) [J]."""
+        return self._summed(self.energy_balance.heat_by)
+
+    @property
+    def pieces(self) -> Pieces:
+        """When friction in a joint changed, and which way each slips from then on (1, -1, 0)."""
+        found, joints = self._result_again.pieces, self.system.can.degrees_of_freedom
+        return Pieces(found.times, found.senses(joints))
+
+    @property
+    def energy_error_name(self) -> str:
+        """What `energy_error` is: an error, the balance's defect or, with `digits`, a change."""
+        if self.system.can.conservative:
+            return "energy error"
+        return "defect of the energy balance" if self.request.digits is None else "energy change"
 
     @property
     def _energy_scale(self) -> Array:
@@ -128,6 +163,11 @@ class Trajectory:
     def positions(self) -> Array:
         """The bob, or the end of each rod, (n, d/2, 2) [m]."""
         return self.system.positions(self.states)
+
+    def _summed(self, parts: Mapping[str, Array]) -> Array:
+        import numpy as np
+
+        return sum(parts.values(), np.zeros(self.states.shape[:-1]))
 
     def at(self, t: ArrayLike) -> Array:
         """States (n, d) at any times (n,) of the run, in any order [rad, rad/s].
@@ -173,9 +213,14 @@ class Trajectory:
         """The dense output of the run; of one read from a file, that of the same run made again."""
         if self.dense is not None:
             return self.dense
-        again = _engine.solve(self.request.for_core(self.system, self.method), None).dense
+        again = self._result_again.dense
         assert again is not None  # the method has dense output
         return again
+
+    @cached_property
+    def _result_again(self) -> _engine.RunResult:
+        """What the core gives when the same run is made once more."""
+        return _engine.solve(self.request.for_core(self.system, self.method), None)
 
     def __getstate__(self) -> dict[str, Any]:
         """Without the dense output, which can be made again."""
@@ -248,7 +293,7 @@ class Trajectory:
         if self.n_steps:
             yield "steps", f"{self.n_steps}, {self.n_evaluations} evaluations"
         if self.t.size:
-            name = "energy error" if self.system.can.conservative else "energy change"
+            name = self.energy_error_name
             with np.errstate(over="ignore", invalid="ignore"):  # of a run that blew up
                 yield f"largest {name}", f"{abs(self.energy_error).max():.2g}"
         for event, crossings in zip(self.request.events, self.events, strict=False):

@@ -14,13 +14,17 @@ from pendula.systems.base import (
     systems_that,
     with_closed_form,
 )
+from pendula.systems.damped_double import DampedDoublePendulum
 from pendula.systems.double import DoublePendulum, NormalModes
+from pendula.systems.driven import DrivenPendulum
 from pendula.systems.single import LinearPendulum, SimplePendulum
 
 __all__ = [
     "STANDARD_GRAVITY",
     "ClosedForm",
+    "DampedDoublePendulum",
     "DoublePendulum",
+    "DrivenPendulum",
     "LinearPendulum",
     "NormalModes",
     "SimplePendulum",

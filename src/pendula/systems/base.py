@@ -32,13 +32,14 @@ STANDARD_GRAVITY: float = next(  # of the catalogue [m/s²]
 class System:
     """What all pendulums have in common. Those of one form are data classes of their parameters."""
 
-    name: ClassVar[str]
+    name: ClassVar[str]  # in the catalogue
+    other_names: ClassVar[tuple[str, ...]] = ()  # of more general descriptions, for some parameters
     form: str
     classes: ClassVar[dict[str, type[System]]] = {}  # by the catalogue's name
 
     def __init_subclass__(cls) -> None:
         if "name" in vars(cls):
-            System.classes[cls.name] = cls
+            System.classes |= dict.fromkeys((cls.name, *cls.other_names), cls)
 
     def __post_init__(self) -> None:
         for row in self._rows():

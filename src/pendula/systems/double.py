@@ -6,10 +6,8 @@ import math
 from dataclasses import dataclass
 from typing import ClassVar, NamedTuple
 
-from pendula import _engine
-from pendula._checks import number, one_of
-from pendula._messages import ArgumentError
-from pendula.systems.base import STANDARD_GRAVITY, System
+from pendula.systems.base import STANDARD_GRAVITY
+from pendula.systems.forms import SystemOfForms
 
 
 @dataclass(frozen=True)
@@ -26,42 +24,14 @@ class NormalModes:
 
 
 @dataclass(frozen=True, init=False)
-class DoublePendulum(System):
+class DoublePendulum(SystemOfForms):
     """The planar double pendulum; make one with `rods`, `bobs` or `bodies`.
 
     T = ½A ω1² + ½B ω2² + C ω1 ω2 cos(θ1−θ2), V = D (1 − cos θ1) + E (1 − cos θ2), with the
     constants A … E that each form gives (`constants`). Rods: Herrera et al. (2024), eqs. 35–50.
     """
 
-    form: str
-    values: tuple[float, ...]
     name: ClassVar[str] = "double"
-
-    def __init__(self, form: str = "", values: tuple[float, ...] = (), **others: object) -> None:
-        entry = _engine.system_entries()[self.name]
-        if others or not isinstance(form, str) or not form:
-            made = ", ".join(f".{each.name}(…) of {each.meaning}" for each in entry.forms)
-            raise ArgumentError("", "DoublePendulum is made by one of {text}", text=made)
-        object.__setattr__(self, "form", form)
-        object.__setattr__(self, "values", values)
-        self.__post_init__()
-
-    def __post_init__(self) -> None:
-        forms = tuple(each.name for each in _engine.system_entries()[self.name].forms)
-        one_of("form", self.form, forms)
-        if not isinstance(self.values, tuple) or len(self.values) != len(self._rows()):
-            raise ArgumentError(
-                "values",
-                f"must hold the {len(self._rows())} parameters of {self.form}, got {{value}}",
-                f"use DoublePendulum.{self.form}(...)",
-                value=self.values,
-            )
-        checked = tuple(
-            number(row.name, value, row.unit)
-            for row, value in zip(self._rows(), self.values, strict=True)
-        )
-        object.__setattr__(self, "values", checked)
-        self._check()
 
     @classmethod
     def rods(
@@ -114,27 +84,6 @@ class DoublePendulum(System):
             l2: length of body 2, for drawing and tip events only [m]; None: c2.
         """
         return cls("bodies", (m1, m2, l1, c1, c2, I1, I2, gravity, c2 if l2 is None else l2))
-
-    @classmethod
-    def of_form(cls, form: str, parameters: dict[str, float]) -> DoublePendulum:
-        """The system of that form with these parameters, as `rods`, `bobs` or `bodies` make it."""
-        one_of("form", form, (each.name for each in _engine.system_entries()[cls.name].forms))
-        made: DoublePendulum = getattr(cls, form)(**parameters)
-        return made
-
-    @property
-    def parameters(self) -> dict[str, float]:
-        """The parameters of the form by name, in SI units."""
-        return dict(zip((row.name for row in self._rows()), self.values, strict=True))
-
-    def __getattr__(self, name: str) -> float:
-        if name.startswith("_") or name == "values" or name not in self.parameters:
-            raise AttributeError(f"{type(self).__name__} has no attribute {name!r}")
-        return self.parameters[name]
-
-    def __repr__(self) -> str:
-        arguments = ", ".join(f"{name}={value!r}" for name, value in self.parameters.items())
-        return f"DoublePendulum.{self.form}({arguments})"
 
     @property
     def fastest_frequency(self) -> float:

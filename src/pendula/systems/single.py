@@ -8,8 +8,9 @@ from typing import TYPE_CHECKING, Any, ClassVar
 
 from pendula import _engine
 from pendula._angles import warn_of_degrees
-from pendula._checks import finite_array, states_array
+from pendula._checks import finite_array, number, states_array
 from pendula._messages import ArgumentError
+from pendula._rules import refuse
 from pendula.systems.base import STANDARD_GRAVITY, ClosedForm
 
 if TYPE_CHECKING:
@@ -32,27 +33,61 @@ class _OneBob(ClosedForm):
         return math.sqrt(self.gravity / self.length)
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class LinearPendulum(_OneBob):
-    """The linear pendulum, θ̈ = −(g/L) θ: the small-angle model, harmonic for every amplitude.
+    """The linear pendulum: the small-angle model, with viscous friction and a harmonic drive.
+
+    m L² (θ̈ + (g/L) θ) = −b ω + τ cos(Ω t + φ). Without friction and drive, as it is by default, it
+    is harmonic for every amplitude; with them it is the catalogue's "driven-linear".
 
     Args:
         length: from pivot to bob [m].
         gravity: [m/s²].
         mass: of the bob [kg].
+        viscous: friction torque over angular velocity, b [N m s].
+        torque: amplitude of the driving torque, τ [N m].
+        drive_frequency: its angular frequency Ω [rad/s].
+        drive_phase: its phase φ at t = 0 [rad].
 
     Raises:
-        ValueError: for a value that is not positive and finite.
+        ValueError: for a value that is not finite, or out of its range.
     """
 
     name: ClassVar[str] = "linear"
+    other_names: ClassVar[tuple[str, ...]] = ("driven-linear",)
+    viscous: float = 0.0
+    torque: float = 0.0
+    drive_frequency: float = 0.0
+    drive_phase: float = 0.0
     largest_start: ClassVar[float] = _engine.LARGEST_START_SPEED
     most_half_periods: ClassVar[float] = _engine.COUNTED_HALF_PERIODS
 
+    def __post_init__(self) -> None:
+        driven = self.other_names[0]
+        rows = _engine.system_entries()[driven].forms[0].parameters
+        values = tuple(number(row.name, getattr(self, row.name), row.unit) for row in rows)
+        refuse(_engine.check_system(_engine.describe(driven, "", values)))
+        for row, value in zip(rows, values, strict=True):
+            object.__setattr__(self, row.name, value)
+        if self.viscous or self.torque:
+            object.__setattr__(self, "name", driven)
+        super().__post_init__()
+
+    def __repr__(self) -> str:
+        arguments = ", ".join(f"{name}={value!r}" for name, value in self.parameters.items())
+        return f"LinearPendulum({arguments})"
+
     def period(self, amplitude: ArrayLike | None = None, *, state: ArrayLike | None = None) -> Any:
-        """2π/ωn [s], the same for every amplitude or state; shaped as they are."""
+        """2π/ωn [s], the same for every amplitude or state; shaped as they are.
+
+        Raises:
+            ValueError: with friction or a drive: no motion then repeats itself for every start.
+        """
         import numpy as np
 
+        if not self.can.period:
+            rule = "must be without friction and drive to have a period, got {value}"
+            raise ArgumentError("system", rule, value=self)
         one = float(_engine.periods(self._description(), np.zeros((1, 2)))[0])
         shape: tuple[int, ...] = ()
         if amplitude is not None:

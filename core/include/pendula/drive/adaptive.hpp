@@ -7,6 +7,7 @@
 
 #include "pendula/drive/events.hpp"
 #include "pendula/drive/outcome.hpp"
+#include "pendula/drive/pieces.hpp"
 #include "pendula/drive/polling.hpp"
 #include "pendula/scalar/compensated.hpp"
 #include "pendula/scalar/rough_powers.hpp"
@@ -47,20 +48,27 @@ class adaptive_run {
     for (;;) {
       if (result.steps == step_limit) return ended(result, outcome::step_limit);
       stepper_.expand({time_.head[0], time_.tail[0]}, direction_);
+      mend_joints(consumer);
       const auto next = stepper_.at_end();
-      if (!all_finite(next.head) || !countable()) return ended(result, outcome::not_finite);
+      if (!all_finite(next.head) || !countable() || stands_still()) return ended(result, outcome::not_finite);
       ++result.steps;
       const S left = since_step(end_);
-      const bool last = !(direction_ * rough(stepper_.length()) < direction_ * rough(left));
+      bool last = !(direction_ * rough(stepper_.length()) < direction_ * rough(left));
       S stop = last ? left : S(stepper_.length());
+      const bool piece_ends = ends_piece(stop);
+      last = last && !piece_ends;
       if constexpr (std::same_as<S, double>) terminated_ = !trackers_.empty() && report_events(stop, consumer);
       const bool enough = !consumer.step(*this, stop);
       result.reached = last && !terminated_ ? end_ : time_after(stop);
       if (terminated_) return ended(result, outcome::event);
       if (last) return ended(result, outcome::reached_end);
       if (enough) return ended(result, outcome::interrupted);
-      stepper_.proceed(next);
-      time_ = time_.moved_by({S(stepper_.length())});
+      if (piece_ends) {
+        begin_piece(stop, consumer);
+      } else {
+        stepper_.proceed(next);
+        time_ = time_.moved_by({S(stepper_.length())});
+      }
       if (result.steps % between_polls == 0 && !go_on(rough(time_.head[0]), result.steps))
         return ended(result, outcome::interrupted);
     }
@@ -77,6 +85,7 @@ class adaptive_run {
   double time_after(S tau) const { return rough(time_.moved_by({tau}).head[0]); }
 
  private:
+  using System = std::remove_cvref_t<decltype(std::declval<const Stepper&>().of())>;
   static constexpr std::int64_t between_polls =
       has_double_precision<S> ? adaptive_steps_between_polls : many_digit_steps_between_polls;
 
@@ -98,6 +107,42 @@ class adaptive_run {
         if (!each.countable(stepper_)) return false;
     return true;
   }
+
+  head_and_tail<S> now() const { return {time_.head[0], time_.tail[0]}; }
+
+  // The pieces of a motion with friction.
+  template <class Consumer>
+  void mend_joints(Consumer& consumer) {
+    if constexpr (Piecewise<System>)
+      if (pieces_.mended(stepper_, now(), direction_)) report_joints(consumer);
+  }
+  bool ends_piece(S& stop) {
+    if constexpr (Piecewise<System>) {
+      const auto found = pieces_.end_in_step(stepper_, now());
+      if (!found || direction_ * rough(*found - stop) > 0.0) return false;
+      stop = *found;
+      return true;
+    } else {
+      return false;
+    }
+  }
+  template <class Consumer>
+  void begin_piece(const S& stop, Consumer& consumer) {
+    if constexpr (Piecewise<System>) {
+      const double before = rough(time_.head[0]);
+      const auto next = time_.moved_by({stop});
+      pieces_.begin_next(stepper_, {next.head[0], next.tail[0]}, stop);
+      time_ = next;
+      pieces_at_once_ = rough(time_.head[0]) == before ? pieces_at_once_ + 1 : 0;
+      report_joints(consumer);
+    }
+  }
+  template <class Consumer>
+  void report_joints(Consumer& consumer) {
+    if constexpr (requires { consumer.piece(*this); }) consumer.piece(*this);
+  }
+  // Whether the joints change again and again at one time.
+  bool stands_still() const { return pieces_at_once_ > 100; }
 
   // True where one ends the run, at the time `stop` then is.
   template <class Consumer>
@@ -121,6 +166,8 @@ class adaptive_run {
   point_in_time time_;
   double end_, direction_;
   bool terminated_ = false;
+  [[no_unique_address]] piece_follower<Stepper> pieces_;
+  int pieces_at_once_ = 0;
   std::vector<event_tracker> trackers_;
   std::vector<std::int64_t> counts_;
   std::vector<crossing> found_;

@@ -42,7 +42,8 @@ int series_order(const run_options&);
 // The numbers that the equations of a described system are written in, and its scales.
 struct system_numbers {
   std::vector<constant<double>> constants;
-  double energy_scale, largest_frequency;  // J; of small oscillations, rad/s
+  double energy_scale, largest_frequency;  // J; of small oscillations and of what drives them, rad/s
+  bool sticks;                             // dry friction can hold a joint
 };
 system_numbers numbers_of(const system_description&);
 

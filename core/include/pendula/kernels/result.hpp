@@ -28,6 +28,12 @@ struct crossings {
   std::vector<double> times, states;
 };
 
+// Times (k,) at which friction in a joint changed, and which way each of the joints slips from then on, (k, joints): 1,
+// −1, or 0 where it sticks.
+struct motion_pieces {
+  std::vector<double> times, senses;
+};
+
 class dense_output;
 
 // One run.
@@ -39,6 +45,7 @@ struct run_result {
   std::vector<double> times, states;  // of the outputs, (n,) and (n, d)
   std::vector<double> tails;          // what the states go on with, of runs with more digits
   std::vector<crossings> events;
+  motion_pieces pieces;
   std::optional<double> trust_horizon;        // infinite: not within the run
   std::shared_ptr<const dense_output> dense;  // of methods that have it
 };

@@ -24,6 +24,7 @@ struct step_motion {
   virtual double stop() const = 0;                        // up to here after it the motion is the run's
   virtual double time_after(double tau) const = 0;        // since the start
   virtual void angles(double tau, double* to) const = 0;  // at that time
+  virtual void state(double tau, double* to) const = 0;
   virtual step_memory memory() const = 0;
 
  protected:
@@ -35,6 +36,8 @@ struct receiver {
   // An output, by its place among them; false ends the run.
   virtual bool output(std::size_t place, double t, const double* y) = 0;
   virtual void event(int place, double t, const double* y) = 0;
+  // Friction in the joints changed at that time: which way each slips from then on, 1 or −1, or 0: it sticks.
+  virtual void piece(double, std::span<const double>) {}
   virtual bool step(const step_motion&) = 0;  // of an adaptive method; false ends the run
   virtual bool go_on(double t) = 0;           // asked every few milliseconds
 

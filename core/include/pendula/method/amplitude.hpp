@@ -6,11 +6,16 @@
 
 namespace pendula::inline PENDULA_MACHINE {
 
-// The square of the amplitude of a small swing from a state (θ…, ω…), in radians.
+// The square of the amplitude of a small swing from a state (θ…, ω…), in radians, and of what a drive adds to it.
 template <Energetic Sys>
 auto amplitude_squared(const Sys& system, const typename Sys::state& y) {
   const auto energy = system.kinetic_energy(y) + system.potential_energy(y);
-  return rough((energy + energy) / system.energy_scale());
+  const auto of_energy = rough((energy + energy) / system.energy_scale());
+  if constexpr (requires { system.forced_amplitude_squared(); }) {
+    return of_energy + system.forced_amplitude_squared();
+  } else {
+    return of_energy;
+  }
 }
 
 // log2 of the amplitude of a small swing, roughly; 0, one radian, of other motions and at rest. The energy of the

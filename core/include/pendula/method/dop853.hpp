@@ -20,6 +20,7 @@ class dop853_stepper {
   using S = typename Sys::scalar;
   using state = typename Sys::state;
   using point = compensated_point<state>;
+  static constexpr double precision_inside = 0x1p-30;  // of the motion inside a step, in parts of its change
   static_assert(has_double_precision<S>, "the coefficients are known to as many digits as a double has");
 
   dop853_stepper(const Sys& system, double log2_of_tolerance) : tolerance_(rough_exp2(log2_of_tolerance)) {
@@ -38,9 +39,10 @@ class dop853_stepper {
   // Places the motion at a state (θ…, ω…) at time t. Errors are in parts of a radian, or of the amplitude of a small
   // swing, and of the angle where it is larger; those of velocities alike, with the largest frequency.
   void start(const S& t, const state& y) {
+    now_.joints.start(system_, t, y);
     now_.at.head = y;
     now_.at.tail.fill(S(0.0));
-    now_.slope = system_.rhs(t, y);
+    now_.slope = slope_of(system_, t, y);
     now_.step = S(0.0);
     const S squared = amplitude_squared(system_, y), log2_of_size = log2_of_amplitude(system_, y);
     const auto small = mask_and(less(S(0.0), squared), less(squared, S(1.0)));
@@ -61,12 +63,25 @@ class dop853_stepper {
     // Of the motion, in radians, so many times enlarged: of the smallest swings, the inverse of an error allowed would
     // be no number.
     S size, enlarged;
+    [[no_unique_address]] joints_of<Sys> joints;
   };
   const memory& remembered() const { return now_; }
-  void resume(const memory& from) { now_ = from; }
+  const point& here() const { return now_.at; }
+  void resume(const memory& from) {
+    now_ = from;
+    now_.joints.tell(system_);
+  }
+
+  // Of a system in pieces: goes on from a point at time t with other joints.
+  const joints_of<Sys>& joints() const { return now_.joints; }
+  void begin_piece(const S& t, const point& from, const joints_of<Sys>& joints) {
+    resume({from, {}, proposed_, now_.size, now_.enlarged, joints});
+    now_.slope = slope_of(system_, t, from.head);
+  }
   // On to the end of the step: `next` is what at_end() says.
   PENDULA_INLINE void proceed(const point& next) {
-    now_ = {next, engine::unpaired(k_[last]), proposed_, now_.size, now_.enlarged};
+    now_ = {next, engine::unpaired(k_[last]), proposed_, now_.size, now_.enlarged, now_.joints};
+    now_.joints.move_on();
   }
 
   // Takes the trajectory of another stepper into a lane.
@@ -111,6 +126,7 @@ class dop853_stepper {
   PENDULA_INLINE point after(S tau) const { return all_lanes(equal(tau, length_)) ? result_ : within(tau); }
   PENDULA_INLINE point at_end() const { return result_; }
   state state_of(const point& there) const { return there.head; }
+  state head_of(const state& y) const { return y; }
 
   const Sys& of() const { return system_; }
   // Of the right-hand side, those of rejected steps included.
@@ -177,8 +193,8 @@ class dop853_stepper {
     const S h0 = choose(large, S(0.01) * square_root(of_state / of_slope), S(1e-6));
     const S length = S(direction) * h0 * unit;
     const number h(length);
-    const components slope = engine::paired(
-        system_.rhs(time_ + length, engine::unpaired(engine::each([&]<std::size_t i> { return y[i] + h * from[i]; }))));
+    const components slope = engine::paired(slope_of(
+        system_, time_ + length, engine::unpaired(engine::each([&]<std::size_t i> { return y[i] + h * from[i]; }))));
     evaluations_ = evaluations_ + choose(equal(now_.step, S(0.0)), S(1.0), S(0.0));
     const components change = engine::each([&]<std::size_t i> { return slope[i] - from[i]; });
     const S of_change = squares(change, inverse_scale) * (unit * unit);
@@ -196,7 +212,7 @@ class dop853_stepper {
     const compensated_point<components> from{engine::paired(now_.at.head), engine::paired(now_.at.tail)};
     const auto to = from.moved_by(increment_);
     result_ = {engine::unpaired(to.head), engine::unpaired(to.tail)};
-    k_[last] = engine::paired(system_.rhs(time_ + length_, result_.head));
+    k_[last] = engine::paired(slope_of(system_, time_ + length_, result_.head));
     evaluations_ = evaluations_ + S(1.0) + extra_evaluations_;
     extra_evaluations_ = S(0.0);
     dense_known_ = false;

@@ -6,9 +6,21 @@
 #include <utility>
 
 #include "pendula/method/dop853_tableau.hpp"
+#include "pendula/method/joints.hpp"
 #include "pendula/scalar/machine.hpp"
 
 namespace pendula::inline PENDULA_MACHINE {
+
+// Its slope at a state, of the piece of motion that it is in.
+template <class Sys>
+PENDULA_INLINE typename Sys::state slope_of(const Sys& system, const typename Sys::scalar& t,
+                                            const typename Sys::state& y) {
+  if constexpr (Piecewise<Sys>) {
+    return system.rhs_in_piece(t, y);
+  } else {
+    return system.rhs(t, y);
+  }
+}
 
 template <SecondOrder Sys>
 struct dop853_step {
@@ -53,8 +65,8 @@ struct dop853_step {
   template <std::size_t slope>
   PENDULA_INLINE static void add_slope(const Sys& system, const S& t, const components& y, slopes& k, const S& length) {
     const components increment = sum<dop853_table::toward, slope - 1>(k, number(length));
-    k[slope] = paired(system.rhs(t + S(dop853_table::node[slope]) * length,
-                                 unpaired(each([&]<std::size_t i> { return y[i] + increment[i]; }))));
+    k[slope] = paired(slope_of(system, t + S(dop853_table::node[slope]) * length,
+                               unpaired(each([&]<std::size_t i> { return y[i] + increment[i]; }))));
   }
 
   // From the slope at y, the first of the list, what a step from time t adds to y.

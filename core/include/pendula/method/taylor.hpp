@@ -2,11 +2,13 @@
 // its sum there begins the next step (Jorba & Zou 2005, Exp. Math. 14, 99; Biscani & Izzo 2021, MNRAS 504, 2614).
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
 #include "pendula/description.hpp"
 #include "pendula/method/amplitude.hpp"
+#include "pendula/method/joints.hpp"
 #include "pendula/scalar/compensated.hpp"
 #include "pendula/scalar/polynomial_roots.hpp"
 #include "pendula/scalar/rough_powers.hpp"
@@ -27,6 +29,7 @@ class taylor_stepper {
   using state = typename Sys::state;
   using point = compensated_point<state>;
   using R = roughly<S>;
+  static constexpr double precision_inside = 0x1p-50;  // of the motion inside a step, in parts of its change
 
   taylor_stepper(const Sys& system, double log2_of_tolerance)
       : order_(taylor_order(log2_of_tolerance)),
@@ -53,17 +56,33 @@ class taylor_stepper {
   }
 
   // Places the motion at a state (θ…, ω…). Errors are in parts of a radian, or of the amplitude of a small swing.
-  void start(const S&, const state& y) {
+  void start(const S& t, const state& y) {
     at_.head = system_.canonical(y);
     at_.tail.fill(S(0.0));
     log2_of_scale_ = log2_of_amplitude(system_, y);
+    joints_.start(system_, t, y);
   }
 
   // Where the motion is, and all that the next steps depend on.
-  using memory = point;
-  const memory& remembered() const { return at_; }
-  void resume(const memory& from) { at_ = from; }
-  void proceed(const point& next) { at_ = next; }
+  struct memory {
+    point at;
+    [[no_unique_address]] joints_of<Sys> joints;
+  };
+  memory remembered() const { return {at_, joints_}; }
+  const point& here() const { return at_; }
+  void resume(const memory& from) {
+    at_ = from.at;
+    joints_ = from.joints;
+    joints_.tell(system_);
+  }
+  void proceed(const point& next) {
+    at_ = next;
+    joints_.move_on();
+  }
+
+  // Of a system in pieces: goes on from a point with other joints.
+  const joints_of<Sys>& joints() const { return joints_; }
+  void begin_piece(const S&, const point& from, const joints_of<Sys>& joints) { resume({from, joints}); }
 
   // Works out the series at the point at time t, and how far it reaches, forward in time or (direction −1) backward: as
   // far as the first term left out stays below the error allowed. Four orders tell the radius of convergence, and the
@@ -85,6 +104,7 @@ class taylor_stepper {
   // The end of the step, which is after(length()): the next one waits for it.
   PENDULA_INLINE point at_end() const { return after_units(S(length_)); }
   state state_of(const point& there) const { return system_.from_canonical(there.head); }
+  state head_of(const state& y) const { return system_.canonical(y); }
 
   const Sys& of() const { return system_; }
   std::int64_t evaluations(int = 0) const { return expansions_; }
@@ -118,14 +138,15 @@ class taylor_stepper {
     return p;
   }
   polynomial velocity_polynomial(int i, int l = 0) const {
+    const int orders = std::min(order_, most_coefficients - 1);  // of those beyond, a double sees nothing
     polynomial p;
-    p.degree = order_ - 1;
+    p.degree = orders - 1;
     double power = 1.0;
-    for (int k = 0; k < order_; ++k, power *= lane(length_, l))
-      p.coefficient[k] = lane(series_.velocity(i, k), l) * power;
-    const double at_end = lane(velocity_at_end(i), l);
-    p.coefficient[order_] = at_end - p(1.0);
-    p.degree = order_;
+    for (int k = 0; k < orders; ++k, power *= lane(length_, l))
+      p.coefficient[k] = lane(rough(series_.velocity(i, k)), l) * power;
+    const double at_end = lane(rough(velocity_at_end(i)), l);
+    p.coefficient[orders] = at_end - p(1.0);
+    p.degree = orders;
     return p;
   }
 
@@ -193,6 +214,7 @@ class taylor_stepper {
   R longest_, log2_of_scale_, length_;
   std::int64_t expansions_ = 0;
   point at_;
+  [[no_unique_address]] joints_of<Sys> joints_;
 };
 
 struct taylor {

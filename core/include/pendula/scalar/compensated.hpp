@@ -25,4 +25,11 @@ struct compensated_point {
   }
 };
 
+// A time with its tail, so much later.
+template <class S>
+PENDULA_INLINE head_and_tail<S> later(const head_and_tail<S>& t, const S& tau) {
+  const auto moved = compensated_point<vec<S, 1>>{{t.head}, {t.tail}}.moved_by({tau});
+  return {moved.head[0], moved.tail[0]};
+}
+
 }  // namespace pendula::inline PENDULA_MACHINE

@@ -31,24 +31,26 @@ struct double_pendulum {
       component{"omega1", "rad/s", 0.0, "angular velocity of rod 1"},
       component{"omega2", "rad/s", 0.0, "angular velocity of rod 2"}};
 
-  static constexpr std::array rods{parameter{"m1", "kg", 1.0, false, "mass of rod 1"},
-                                   parameter{"m2", "kg", 1.0, false, "mass of rod 2"},
-                                   parameter{"l1", "m", 1.0, false, "length of rod 1"},
-                                   parameter{"l2", "m", 1.0, false, "length of rod 2"}, gravity_row};
-  static constexpr std::array bobs{parameter{"m1", "kg", 1.0, false, "mass of bob 1"},
-                                   parameter{"m2", "kg", 1.0, false, "mass of bob 2"},
-                                   parameter{"l1", "m", 1.0, false, "length of rod 1"},
-                                   parameter{"l2", "m", 1.0, false, "length of rod 2"}, gravity_row};
+  static constexpr std::array rods{parameter{"m1", "kg", 1.0, range::positive, "mass of rod 1"},
+                                   parameter{"m2", "kg", 1.0, range::positive, "mass of rod 2"},
+                                   parameter{"l1", "m", 1.0, range::positive, "length of rod 1"},
+                                   parameter{"l2", "m", 1.0, range::positive, "length of rod 2"}, gravity_row};
+  static constexpr std::array bobs{parameter{"m1", "kg", 1.0, range::positive, "mass of bob 1"},
+                                   parameter{"m2", "kg", 1.0, range::positive, "mass of bob 2"},
+                                   parameter{"l1", "m", 1.0, range::positive, "length of rod 1"},
+                                   parameter{"l2", "m", 1.0, range::positive, "length of rod 2"}, gravity_row};
   static constexpr std::array bodies{
-      parameter{"m1", "kg", to_be_named, false, "mass of body 1"},
-      parameter{"m2", "kg", to_be_named, false, "mass of body 2"},
-      parameter{"l1", "m", to_be_named, false, "distance from the pivot to the joint"},
-      parameter{"c1", "m", to_be_named, true, "distance from the pivot to the centre of mass of body 1"},
-      parameter{"c2", "m", to_be_named, true, "distance from the joint to the centre of mass of body 2"},
-      parameter{"I1", "kg m^2", to_be_named, true, "moment of inertia of body 1 about its centre of mass"},
-      parameter{"I2", "kg m^2", to_be_named, true, "moment of inertia of body 2 about its centre of mass"},
+      parameter{"m1", "kg", to_be_named, range::positive, "mass of body 1"},
+      parameter{"m2", "kg", to_be_named, range::positive, "mass of body 2"},
+      parameter{"l1", "m", to_be_named, range::positive, "distance from the pivot to the joint"},
+      parameter{"c1", "m", to_be_named, range::not_negative, "distance from the pivot to the centre of mass of body 1"},
+      parameter{"c2", "m", to_be_named, range::not_negative, "distance from the joint to the centre of mass of body 2"},
+      parameter{"I1", "kg m^2", to_be_named, range::not_negative,
+                "moment of inertia of body 1 about its centre of mass"},
+      parameter{"I2", "kg m^2", to_be_named, range::not_negative,
+                "moment of inertia of body 2 about its centre of mass"},
       gravity_row,
-      parameter{"l2", "m", to_be_named, true, "length of body 2, for drawing only", "c2"}};
+      parameter{"l2", "m", to_be_named, range::not_negative, "length of body 2, for drawing only", "c2"}};
   static constexpr std::array forms{form{"rods", "two uniform rods", rods},
                                     form{"bobs", "two bobs on massless rods", bobs},
                                     form{"bodies", "two rigid bodies", bodies}};

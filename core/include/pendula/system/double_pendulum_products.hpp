@@ -62,6 +62,8 @@ struct double_products {
     return {m.i11 * r1 + m.i12 * r2, m.i12 * r1 + m.i22 * r2};
   }
   PENDULA_INLINE S sine_first() const { return s_first; }
+  PENDULA_INLINE S cosine_first() const { return c_first; }
+  PENDULA_INLINE S cosine_second() const { return c_second; }
   // The factors' next order.
   PENDULA_INLINE factor integrated(S inverse_order) const {
     const S less = -inverse_order;
@@ -73,6 +75,7 @@ struct double_products {
             (c_first - c_second) * inverse_order};
   }
   PENDULA_INLINE static factor factor_of(S c1, S s1, S c2, S s2, S c, S s) { return {c1, s1, c2, s2, c, s}; }
+  PENDULA_INLINE static velocity velocity_of(S first, S second) { return {first, second}; }
   PENDULA_INLINE static S first(const velocity& w) { return w.first; }
   PENDULA_INLINE static S second(const velocity& w) { return w.second; }
 };
@@ -103,6 +106,8 @@ struct products_in_lanes {
     return lanes_of(m.i11, m.i11, m.i12, m.i12) * r1 + lanes_of(m.i12, m.i12, m.i22, m.i22) * r2;
   }
   PENDULA_INLINE S sine_first() const { return lane(coupling, 1); }
+  PENDULA_INLINE S cosine_first() const { return lane(coupling, 0); }
+  PENDULA_INLINE S cosine_second() const { return lane(coupling, 2); }
   PENDULA_INLINE factor integrated(S inverse_order) const {
     const Four inverse = spread<4>(inverse_order);
     const Four turned = rearranged<1, 0, 3, 2>(outer) * inverse;
@@ -112,6 +117,7 @@ struct products_in_lanes {
   PENDULA_INLINE static factor factor_of(S c1, S s1, S c2, S s2, S c, S s) {
     return {lanes_of(c1, s1, c2, s2), lanes_of(c, s, c, s)};
   }
+  PENDULA_INLINE static velocity velocity_of(S first, S second) { return lanes_of(first, first, second, second); }
   PENDULA_INLINE static S first(const velocity& w) { return lane(w, 0); }
   PENDULA_INLINE static S second(const velocity& w) { return lane(w, 2); }
 };

@@ -24,6 +24,31 @@ class double_pendulum_series {
   // From a point (θ1, θ2, p1, p2).
   PENDULA_INLINE void expand(const double_pendulum::over<S>& of, const head_and_tail<S>&, const vec<S, 4>& point,
                              const vec<S, 4>& tail, const S* inverse) {
+    expand_with(of, point, tail, inverse, [](int, const one_order&, S&, S&) {});
+  }
+
+ protected:
+  using products = detail::double_products<S>;
+  struct one_order {
+    typename products::factor factor;
+    typename products::velocity w;
+    S sine_first;  // s ∗ ω1, times C
+    S p1, p2;
+  };
+
+  // add(k, order k, ṗ1, ṗ2): more torques, that depend on the velocities.
+  template <class Add>
+  PENDULA_INLINE void expand_with(const double_pendulum::over<S>& of, const vec<S, 4>& point, const vec<S, 4>& tail,
+                                  const S* inverse, Add&& add) {
+    const detail::double_inverse<S> mass = begin(of, point, tail);
+    const int last = static_cast<int>(orders_.size()) - 1;
+    for (int k = 0; k + 1 < last; ++k) advance(k, mass, inverse[k + 1], add);
+    conclude(last - 1, mass, inverse[last], add);
+  }
+
+  // Order 0 of all but the velocities, and the inverse of the mass matrix.
+  PENDULA_INLINE detail::double_inverse<S> begin(const double_pendulum::over<S>& of, const vec<S, 4>& point,
+                                                 const vec<S, 4>& tail) {
     const auto pair = sincos(point[0], point[1]);
     const auto [s1, c1] = sincos_with_tail(pair[0], tail[0]);
     const auto [s2, c2] = sincos_with_tail(pair[1], tail[1]);
@@ -33,11 +58,12 @@ class double_pendulum_series {
     orders_[0].factor = products::factor_of(of.D * c1, of.D * s1, of.E * c2, of.E * s2, cosine, sine);
     orders_[0].p1 = point[2];
     orders_[0].p2 = point[3];
-    const int last = static_cast<int>(orders_.size()) - 1;
-    for (int k = 0; k + 1 < last; ++k) advance(k, mass, inverse[k + 1]);
-    conclude(last - 1, mass, inverse[last]);
+    return mass;
   }
 
+  std::vector<one_order> orders_;
+
+ public:
   // Order k of ω_i, i = 0 or 1, below the order of the series.
   PENDULA_INLINE S velocity(int i, int k) const {
     return i == 0 ? products::first(orders_[k].w) : products::second(orders_[k].w);
@@ -61,16 +87,9 @@ class double_pendulum_series {
   }
 
  private:
-  using products = detail::double_products<S>;
-  struct one_order {
-    typename products::factor factor;
-    typename products::velocity w;
-    S sine_first;  // s ∗ ω1, times C
-    S p1, p2;
-  };
-
   // Order k of the velocities and k + 1 of the rest. Terms with the newest numbers come last: the others need not wait.
-  PENDULA_INLINE void advance(int k, const detail::double_inverse<S>& mass, S inverse) {
+  template <class Add>
+  PENDULA_INLINE void advance(int k, const detail::double_inverse<S>& mass, S inverse, Add& add) {
     one_order* const o = orders_.data();
     products sum;
     S turning(0.0);
@@ -87,11 +106,12 @@ class double_pendulum_series {
     sum.add(o[0].factor, o[k].w);
     o[k].sine_first = sum.sine_first();
     o[k + 1].factor = sum.integrated(inverse);
-    turn(k, turning, inverse);
+    turn(k, turning, inverse, add);
   }
 
   // The last order: the factors need none.
-  [[gnu::noinline]] void conclude(int k, const detail::double_inverse<S>& mass, S inverse) {
+  template <class Add>
+  [[gnu::noinline]] void conclude(int k, const detail::double_inverse<S>& mass, S inverse, Add& add) {
     one_order* const o = orders_.data();
     products sum;
     S turning(0.0);
@@ -103,19 +123,19 @@ class double_pendulum_series {
     o[k].w = sum.solved(mass, o[k].p1, o[k].p2);
     sum.add_coupling(o[0].factor, o[k].w);
     o[k].sine_first = sum.sine_first();
-    turn(k, turning, inverse);
+    turn(k, turning, inverse, add);
   }
 
   // Order k + 1 of the momenta.
-  PENDULA_INLINE void turn(int k, S turning, S inverse) {
+  template <class Add>
+  PENDULA_INLINE void turn(int k, S turning, S inverse, Add& add) {
     one_order* const o = orders_.data();
     if (k > 0) turning = detail::with_product(turning, o[0].sine_first * products::second(o[k].w));
     turning = detail::with_product(turning, o[k].sine_first * products::second(o[0].w));
     o[k + 1].p1 = (turning + o[k].factor.first_sine()) * -inverse;
     o[k + 1].p2 = (turning - o[k].factor.second_sine()) * inverse;
+    add(k, o[k], o[k + 1].p1, o[k + 1].p2);
   }
-
-  std::vector<one_order> orders_;
 };
 
 }  // namespace pendula::inline PENDULA_MACHINE

@@ -10,8 +10,8 @@ struct one_bob {
   static constexpr std::array components{component{"theta", "rad", 0.5235987755982989,  // 30°
                                                    "angle from the downward vertical, counter-clockwise"},
                                          component{"omega", "rad/s", 0.0, "angular velocity"}};
-  static constexpr std::array parameters{parameter{"length", "m", 1.0, false, "length from pivot to bob"}, gravity_row,
-                                         parameter{"mass", "kg", 1.0, false, "mass of the bob"}};
+  static constexpr std::array parameters{parameter{"length", "m", 1.0, range::positive, "length from pivot to bob"},
+                                         gravity_row, parameter{"mass", "kg", 1.0, range::positive, "mass of the bob"}};
   static constexpr std::array forms{form{"", "point mass on a massless rod", parameters}};
 
   // All that the canonical equations need of the angle. T is the system's scalar or lanes of it.

@@ -22,7 +22,7 @@ concept SeriesOver =
 
 template <class Sys>
 concept Analytic =
-    Mechanical<Sys> && Energetic<Sys> && requires { typename Sys::series; } && SeriesOver<typename Sys::series, Sys>;
+    Canonical<Sys> && Energetic<Sys> && requires { typename Sys::series; } && SeriesOver<typename Sys::series, Sys>;
 
 // Sine and cosine of angle + tail to first order in the tail, which is about the angle's rounding error.
 template <class S>

@@ -157,9 +157,9 @@ class Columns:
     def _check_positive(self, row: Parameter, column: Distribution) -> None:
         if isinstance(column, SameAs):
             return
-        low = column.ends[0]
-        if low < 0 or (low == 0 and not row.zero_allowed):
-            rule = "must not be negative" if row.zero_allowed else "must be positive"
+        low, positive = column.ends[0], row.range == "positive"
+        if row.range != "any" and (low < 0 or (low == 0 and positive)):
+            rule = "must be positive" if positive else "must not be negative"
             if isinstance(column, Normal):
                 rule += ", 8.3 standard deviations below its mean too"
             raise self._wrong("system", row, rule, self._file.tables["system"][row.name])
