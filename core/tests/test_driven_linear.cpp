@@ -82,6 +82,7 @@ motion some_motion(int regime, randoms& some) {
   if (some.one_in(8)) m.theta = m.omega = 0.0;
   if (!some.one_in(4)) m.t0 = some.sign() * some.power_of_ten(-3, 6);
   double span = some.sign() * some.power_of_ten(-9, 6);
+  if (some.one_in(3)) span = some.sign() * some.power_of_ten(-9, 0) / m.largest_frequency();  // all nodes meet
   const double fast = m.fastest_decay(), own = m.frequency(), slow = m.damping() > own ? own * own / fast : fast;
   const double rate = span < 0.0 ? fast : slow, most = 150.0;
   if (std::fabs(span) * rate > most) span = std::copysign(most / rate * some.power_of_ten(-3, 0), span);
@@ -138,6 +139,24 @@ BOOST_AUTO_TEST_CASE(a_mode_alone_keeps_its_digits_where_the_other_overflows) {
   BOOST_TEST((gone.theta == 0.0 && gone.omega == 0.0));
   const auto grown = driven_linear_motion(two_decays, 1.0, 0.0, 0.0).at(-1e3);
   BOOST_TEST((std::isinf(grown.theta) && std::isinf(grown.omega)));
+}
+
+BOOST_AUTO_TEST_CASE(a_mode_that_a_state_has_only_by_its_rounding_keeps_its_digits) {
+  randoms some;
+  for (int i = 0; i < 100; ++i) {  // back from what remains of a driven motion when its own has died out
+    motion m = some_motion(1, some);
+    m.of.torque = inertia(m.of);
+    m.t = m.t0 + 100.0 / m.damping();
+    const auto late = driven_linear_motion(m.of, m.theta, m.omega, m.t0).at(m.t);
+    check({m.of, late.theta, late.omega, m.t, m.t0}, "back from the steady motion");
+  }
+  for (int i = 0; i < 100; ++i) {  // on, with next to nothing of the slower mode
+    motion m = some_motion(3, some);
+    m.of.torque = 0.0;
+    m.omega = -m.fastest_decay() * m.theta;
+    m.t = m.t0 + some.between(1.0, 100.0) / m.fastest_decay();
+    check(m, "the faster mode");
+  }
 }
 
 BOOST_AUTO_TEST_CASE(at_its_start_a_driven_motion_is_the_state_it_was_given) {

@@ -96,37 +96,15 @@ class driven_linear {
  public:
   // Every state that is given belongs to the time t0.
   driven_linear(const driven_linear_parameters& of, double t0)
-      : many_(of, t0),
-        t0_(t0),
-        driven_(of.torque != 0.0),
-        overdamped_(many_.overdamped),
-        damping_(wide_of(many_.damping)),
-        discriminant_(wide_of(many_.discriminant)),
-        first_(detail::wide_of(many_.first)),
-        second_(wide_of(many_.second.re)),
-        to_drive_(detail::wide_of(many_.from_first_to_drive())),
-        above_centre_{damping_, wide_of(many_.drive)},
-        force_(detail::wide_of(many_.force)),
-        passing_(detail::wide_of(many_.passing)),
-        steady_(detail::wide_of(many_.steady)),
-        steady_rate_(detail::wide_of(many_.steady * detail::many_complex{0, many_.drive})),
-        between_roots_(2.0 * many_.root.convert_to<double>()),
-        to_drive_size_(detail::size_of(many_.from_first_to_drive())) {
-    const many_digits& pi = pi_in_many_digits();
-    const auto set = [](double (&rate)[3], const three_words& words) {
-      rate[0] = words.head, rate[1] = words.middle, rate[2] = words.tail;
-    };
-    set(own_rate_, words_of(overdamped_ ? many_digits(0) : many_digits(many_.root / pi)));
-    set(drive_rate_, words_of(driven_ ? many_digits(many_.drive / pi) : many_digits(0)));
-  }
+      : driven_linear(driven_linear_constants(of, t0), t0, of.torque != 0.0) {}
 
-  driven_start start(double theta, double omega) const { return {many_, theta, omega}; }
+  driven_start start(double theta, double omega) const { return starts_(theta, omega); }
 
   driven_instant instant(double t) const {
     const wide<double> elapsed(two_sum(t, -t0_));
     const double size = std::fabs(elapsed.hi);
     driven_instant now{};
-    now.counted = size * std::max(own_rate_[0], drive_rate_[0]) < detail::counted_half_turns;
+    now.counted = size * std::max(own_rate_.head, drive_rate_.head) < detail::counted_half_turns;
     if (!now.counted) return now;
     now.roots_meet = size * between_roots_ < detail::next_nodes;
     now.drive_meets = driven_ && size * to_drive_size_ < detail::next_nodes;
@@ -142,7 +120,7 @@ class driven_linear {
       if (now.drive_meets) force_passing(now, elapsed);
     }
     if (driven_ && !now.drive_meets) {
-      const wide_complex direction = direction_after(drive_rate_, elapsed);
+      const wide_complex direction = turned(drive_rate_, elapsed);
       now.theta = real_product(steady_, direction);
       now.omega = real_product(steady_rate_, direction);
     }
@@ -150,6 +128,30 @@ class driven_linear {
   }
 
  private:
+  driven_linear(const driven_linear_constants& of, double t0, bool driven)
+      : starts_(of),
+        t0_(t0),
+        driven_(driven),
+        overdamped_(of.overdamped),
+        damping_(wide_of(of.damping)),
+        discriminant_(wide_of(of.discriminant)),
+        first_(detail::wide_of(of.first)),
+        second_(wide_of(of.second.re)),
+        to_drive_(detail::wide_of(of.from_first_to_drive())),
+        above_centre_{damping_, wide_of(of.drive)},
+        force_(detail::wide_of(of.force)),
+        passing_(detail::wide_of(of.passing)),
+        steady_(detail::wide_of(of.steady)),
+        steady_rate_(detail::wide_of(of.steady * detail::many_complex{0, of.drive})),
+        between_roots_(2.0 * of.root.convert_to<double>()),
+        to_drive_size_(detail::size_of(of.from_first_to_drive())),
+        own_rate_(words_of(overdamped_ ? many_digits(0) : many_digits(of.root / pi_in_many_digits()))),
+        drive_rate_(words_of(driven_ ? many_digits(of.drive / pi_in_many_digits()) : many_digits(0))) {}
+
+  static wide_complex turned(const three_words& rate, wide<double> elapsed) {
+    return direction_after({rate.head, rate.middle, rate.tail}, elapsed);
+  }
+
   void set_modes(driven_instant& now, wide<double> elapsed) const {
     const auto [mantissa, power] = wide_exponential(first_.re * elapsed);
     now.first_power = power;
@@ -159,7 +161,7 @@ class driven_linear {
       now.second = other;
       now.second_power = other_power;
     } else {
-      now.first = direction_after(own_rate_, elapsed) * mantissa;
+      now.first = turned(own_rate_, elapsed) * mantissa;
     }
   }
 
@@ -180,7 +182,7 @@ class driven_linear {
     now.omega = real_product(force_, slope + value * -(damping_ * elapsed)) * scale;
   }
 
-  driven_linear_constants many_;
+  driven_starts starts_;
   double t0_;
   bool driven_, overdamped_;
   wide<double> damping_, discriminant_;
@@ -188,8 +190,8 @@ class driven_linear {
   wide<double> second_;
   wide_complex to_drive_, above_centre_;  // iΩ − λ1, iΩ + γ
   wide_complex force_, passing_, steady_, steady_rate_;
-  double between_roots_, to_drive_size_;          // |λ1 − λ2|, |iΩ − λ1|
-  double own_rate_[3] = {}, drive_rate_[3] = {};  // half turns in a second
+  double between_roots_, to_drive_size_;  // |λ1 − λ2|, |iΩ − λ1|
+  three_words own_rate_, drive_rate_;     // half turns in a second
 };
 
 // NaN where the phases are beyond 2^50 half turns.
