@@ -4,6 +4,8 @@
 #include "pendula/scalar/arctangent.hpp"
 #include "pendula/scalar/exponential.hpp"
 #include "pendula/scalar/sincos_of_half_turns.hpp"
+#include "pendula/scalar/wide_complex.hpp"
+#include "pendula/scalar/wide_exponential.hpp"
 #include "pendula/scalar/wide_sincos.hpp"
 #include "random.hpp"
 #include "truth.hpp"
@@ -86,6 +88,35 @@ BOOST_AUTO_TEST_CASE(the_exponential_and_its_distance_from_one) {
     BOOST_TEST(log2_error(minus_one, number(want - 1), number(want - 1)) < -53.0, x);
   }
   BOOST_TEST(pendula::exponential(wide<double>(-1e9)).value.hi < 1e-300);
+}
+
+BOOST_AUTO_TEST_CASE(wide_exponential_beyond_the_range_of_doubles) {
+  randoms some;
+  for (int i = 0; i < 3000; ++i) {
+    const double head = some.size(-40.0, 14.2);
+    const wide<double> x(head, head * some.size(-60.0, -54.0));
+    const auto [mantissa, power] = pendula::wide_exponential(x);
+    const number want = ldexp(exp(of(x)), -power);
+    BOOST_TEST(log2_error(mantissa, want, want) < std::log2(pendula::wide_exponential_error), head);
+    BOOST_TEST((mantissa.hi > 0.98 && mantissa.hi < 2.0));
+  }
+  BOOST_TEST(pendula::wide_exponential(wide<double>(0.0)).mantissa.hi == 1.0);
+  BOOST_TEST(pendula::wide_exponential(wide<double>(-1e300)).power < -20000);
+  BOOST_TEST(pendula::wide_exponential(wide<double>(1e300)).power > 20000);
+}
+
+BOOST_AUTO_TEST_CASE(directions_after_very_many_turns) {
+  randoms some;
+  const number pi = boost::math::constants::pi<number>();
+  for (int i = 0; i < 2000; ++i) {
+    const double head = std::fabs(some.size(-30.0, 10.0)), middle = head * some.size(-60.0, -54.0);
+    const double rate[3] = {head, middle, middle * some.size(-60.0, -54.0)}, time = some.size(-30.0, 39.0);
+    const wide<double> t(time, time * some.size(-60.0, -54.0));
+    const auto [c, s] = pendula::direction_after(rate, t);
+    const number phase = pi * (number(rate[0]) + rate[1] + rate[2]) * of(t);
+    BOOST_TEST(log2_error(c, cos(phase), number(1)) < -99.0, head << " " << time);
+    BOOST_TEST(log2_error(s, sin(phase), number(1)) < -99.0, head << " " << time);
+  }
 }
 
 BOOST_AUTO_TEST_CASE(the_angle_of_a_point) {
