@@ -282,6 +282,6 @@ def _moment(moment: float, numbers: Numbers) -> str | None:
 def _errata(language: str) -> list[list[str]]:
     code: Any = language
     return [
-        [row.equation[code], row.printed[code], row.correct[code], row.why[code]]
+        [each.typst(code) for each in (row.equation, row.printed, row.correct, row.why)]
         for row in errata()
     ]
