@@ -5,13 +5,19 @@ bears its id (eq-04: test_eq_04).
 """
 
 import ast
+import re
 import subprocess
 import sys
 from pathlib import Path
 
-from pendula.study.errata import errata, errata_page, right_as_printed
+from pendula.study.errata import Language, errata, errata_page, right_as_printed
 
 TESTS = Path(__file__).parent
+LANGUAGES: tuple[Language, ...] = ("en", "es")
+
+
+def formulas_of(text: str) -> list[str]:
+    return re.findall(r"\$([^$]+)\$", text)
 
 
 def names_of_tests(prefix: str) -> list[str]:
@@ -35,14 +41,17 @@ def test_every_equation_called_right_has_one_test() -> None:
 
 def test_every_row_is_complete_in_both_languages() -> None:
     for row in errata():
-        assert row.printed.en != row.correct.en, row.id
-        # Only formulas: of their words the sine alone has a name of its own in Spanish.
-        assert row.printed.en.replace("sin", "sen") == row.printed.es, row.id
-        assert row.correct.en.replace("sin", "sen") == row.correct.es, row.id
-        assert row.why.en != row.why.es, row.id
-        assert row.why.en[-1] == row.why.es[-1] == ".", row.id
+        assert row.printed["en"] != row.correct["en"], row.id
+        for text in (row.printed, row.correct):
+            assert re.fullmatch(r"\$[^$]+\$", text.marked["en"]), row.id
+        # The same formulas: of their words the sine alone has a name of its own in Spanish.
         for text in (row.equation, row.printed, row.correct, row.why):
-            for words in (text.en, text.es):
+            english, spanish = (formulas_of(text.marked[code]) for code in LANGUAGES)
+            assert sorted(each.replace("sin", "sen") for each in english) == sorted(spanish), row.id
+        assert row.why["en"] != row.why["es"], row.id
+        assert row.why["en"][-1] == row.why["es"][-1] == ".", row.id
+        for text in (row.equation, row.printed, row.correct, row.why):
+            for words in (text["en"], text["es"]):
                 assert words.strip(), row.id
                 # These two would end a table's cell or begin a link.
                 assert "|" not in words, row.id
@@ -57,9 +66,9 @@ def test_page_in_the_documentation_is_the_one_rendered() -> None:
 def test_page_shows_every_row_in_both_languages() -> None:
     lines = errata_page().splitlines()
     for row in errata():
-        for language in ("en", "es"):
+        for language in LANGUAGES:
             cells = (row.equation, row.printed, row.correct, row.why)
-            assert f"| {' | '.join(getattr(cell, language) for cell in cells)} |" in lines
+            assert f"| {' | '.join(cell[language] for cell in cells)} |" in lines
 
 
 def test_command_writes_the_page() -> None:

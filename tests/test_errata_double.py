@@ -73,8 +73,8 @@ def is_plainly_not_zero(expression: sp.Expr) -> bool:
 def show(row_id: str, differences: dict[str, Sequence[sp.Expr]]) -> None:
     """Each difference from the truth: some printed one is not zero, all correct ones are."""
     row = ROWS[row_id]
-    assert any(is_plainly_not_zero(difference) for difference in differences[row.printed.en])
-    assert all(is_zero(difference) for difference in differences[row.correct.en])
+    assert any(is_plainly_not_zero(difference) for difference in differences[row.printed["en"]])
+    assert all(is_zero(difference) for difference in differences[row.correct["en"]])
 
 
 def test_eq_29() -> None:

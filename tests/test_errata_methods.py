@@ -99,7 +99,7 @@ def test_eq_54() -> None:
         "u = u₀ + [F(t₀, u₀) + F(t₀ + h, w)]/2": heun_54(lambda h: 1.0),
         "u = u₀ + h [F(t₀, u₀) + F(t₀ + h, w)]/2": heun_54(lambda h: h),
     }
-    printed, correct = meaning[row.printed.en], meaning[row.correct.en]
+    printed, correct = meaning[row.printed["en"]], meaning[row.correct["en"]]
     assert abs(order(system_error, correct) - 2) < 0.1
     # The print moves far even in a step of no length, so smaller steps make the error larger.
     assert abs(printed(0.0, (0.0, 1.0), 1e-9)[0] - 0.0) > 0.9

@@ -17,7 +17,7 @@ t, x, theta_0, w_n = sp.symbols("t x theta_0 w_n", positive=True)
 
 def forms(row_id: str, meaning: dict[str, Any]) -> tuple[Any, Any]:
     """Return what the printed and the correct text of a row mean."""
-    return meaning[ROWS[row_id].printed.en], meaning[ROWS[row_id].correct.en]
+    return meaning[ROWS[row_id].printed["en"]], meaning[ROWS[row_id].correct["en"]]
 
 
 def show_by_algebra(row_id: str, differences: dict[str, Sequence[sp.Expr]]) -> None:

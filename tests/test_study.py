@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import csv
-import html.parser
 import json
 import math
 import re
@@ -16,6 +15,7 @@ from scipy.integrate import solve_ivp
 
 from pendula.study import run_study
 from pendula.study.errata import errata
+from report_page import page, signs
 
 if TYPE_CHECKING:
     from pendula.study.errata import Language
@@ -75,39 +75,6 @@ def _files(folder: Path, pattern: str) -> dict[str, bytes]:
     return {path.name: path.read_bytes() for path in sorted(folder.glob(pattern))}
 
 
-class _Page(html.parser.HTMLParser):
-    """What a page refers to, and its text without scripts and styles."""
-
-    def __init__(self, source: str) -> None:
-        super().__init__()
-        self.references: list[str] = []
-        self.text: list[str] = []
-        self.classes: list[str] = []
-        self.tags: list[str] = []
-        self._inside: list[str] = []
-        self.feed(source)
-
-    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
-        self.tags.append(tag)
-        given = dict(attrs)
-        self.classes += (given.get("class") or "").split()
-        self.references += [given[key] or "" for key in ("src", "href", "data") if key in given]
-        if tag in ("script", "style"):
-            self._inside.append(tag)
-
-    def handle_endtag(self, tag: str) -> None:
-        if tag in ("script", "style"):
-            self._inside.pop()
-
-    def handle_data(self, data: str) -> None:
-        if not self._inside:
-            self.text.append(data)
-
-
-def _page(folder: Path) -> _Page:
-    return _Page((folder / "report.html").read_text(encoding="utf-8"))
-
-
 def test_everything_is_written_and_nothing_else(study: tuple[Path, str]) -> None:
     folder, _ = study
     assert {p.name for p in folder.iterdir()} == {
@@ -119,19 +86,19 @@ def test_everything_is_written_and_nothing_else(study: tuple[Path, str]) -> None
 
 
 def test_the_page_needs_nothing_else(study: tuple[Path, str]) -> None:
-    page = _page(study[0])
+    found = page(study[0])
     inside = re.compile(r"#|data:image/svg\+xml;base64,")
-    assert [r for r in page.references if not inside.match(r)] == ["https://dlmf.nist.gov"]
-    assert "link" not in page.tags
+    assert [r for r in found.references if not inside.match(r)] == ["https://dlmf.nist.gov"]
+    assert "link" not in found.tags
     source = (study[0] / "report.html").read_text(encoding="utf-8")
     assert "@import" not in source
     assert "url(" not in source
-    assert page.tags.count("img") == 14
+    assert found.tags.count("img") == 14
 
 
 def test_formulas_and_figures_are_numbered_in_the_language(study: tuple[Path, str]) -> None:
     folder, language = study
-    text = " ".join(" ".join(_page(folder).text).split())
+    text = page(folder).words
     for number in range(1, 20):
         assert f"({number})" in text
     figure, table = {"en": ("Figure", "Table"), "es": ("Figura", "Tabla")}[language]
@@ -149,7 +116,7 @@ def test_dots_stand_above_their_letters(study: tuple[Path, str]) -> None:
 
 def test_the_decimal_sign_is_that_of_the_language(study: tuple[Path, str]) -> None:
     folder, language = study
-    text = "\n".join(_page(folder).text)
+    text = "\n".join(page(folder).text)
     # What is no number: the version, the sections of the DLMF, and the report's own.
     text = re.sub(r"0\.1\.0|19\.5, 19\.8 (and|y) 22\.19|^\d\.\d (?=[^\W\d])", "", text, flags=re.M)
     other = {"en": r"\d,\d", "es": r"\d\.\d"}[language]
@@ -157,19 +124,26 @@ def test_the_decimal_sign_is_that_of_the_language(study: tuple[Path, str]) -> No
 
 
 def test_spanish_is_spanish(studies: Studies) -> None:
-    text = " ".join(_page(studies[0] / "es").text).lower()
+    text = " ".join(page(studies[0] / "es").text).lower()
     words = set(re.findall(r"[a-z]+", text))
     assert not words & {"the", "and", "with", "angle", "time", "step", "error of", "until", "exact"}
     assert {"período", "péndulo"} <= set(re.findall(r"\w+", text))
 
 
 def test_all_errata_stand_in_the_report(study: tuple[Path, str]) -> None:
+    """Each formula as mathematics, sign for sign that of the page of plain text."""
     folder, language = study
-    text = " ".join(_page(folder).text)
     code: Language = "en" if language == "en" else "es"
+    found = page(folder).cells[-3 * len(errata()) :]
     assert len(errata()) == 24
-    for row in errata():
-        assert row.why[code] in text
+    for row, cells in zip(errata(), zip(*[iter(found)] * 3, strict=True), strict=True):
+        equation, formulas, why = cells
+        assert signs(equation["all"]) == signs(row.equation[code])
+        assert signs(formulas["formulas"]) == signs(row.printed[code] + row.correct[code]), row.id
+        assert not formulas["words"].strip(), row.id
+        assert signs(why["all"]) == signs(row.why[code]), row.id
+        said = re.sub(r"\$[^$]*\$", "", row.why.marked[code])
+        assert signs(why["words"]) == signs(said), row.id
 
 
 def test_data_have_units_and_read_back_exactly(study: tuple[Path, str]) -> None:
@@ -237,7 +211,7 @@ def test_orders_are_measured(study: tuple[Path, str]) -> None:
 
 
 def test_the_report_says_what_precision_costs(study: tuple[Path, str]) -> None:
-    text = " ".join(" ".join(_page(study[0]).text).split())
+    text = page(study[0]).words
     told = {
         "en": "For the double pendulum Taylor reaches it with the fewest evaluations, about ",
         "es": "En el péndulo doble lo alcanza con menos evaluaciones Taylor, con unas ",
@@ -274,7 +248,7 @@ def test_motions_are_those_of_the_runs(study: tuple[Path, str]) -> None:
             np.testing.assert_allclose(np.cumsum(run["angles"][i]) / 1e4, column, atol=6e-5)
     assert set(data["motions"]) == {"gentle", "large", "double"}
     assert data["decimal"] == {"en": ".", "es": ","}[study[1]]
-    assert _page(study[0]).classes.count("player") == 3
+    assert page(study[0]).classes.count("player") == 3
 
 
 def test_the_written_recipe_gives_the_same_again(studies: Studies, tmp_path: Path) -> None:

@@ -67,7 +67,7 @@ def test_the_complete_recipe_gives_the_same_values_again(tmp_path: Path) -> None
             "unknown key 'lenght' in [simple]; did you mean 'length'?",
         ),
         ('[simpel]\nlength = "5 cm"', 1, "unknown table 'simpel'; did you mean 'simple'?"),
-        ("x = 1", 1, "unknown key 'x'; there are simple, linear_model"),
+        ("x = 1", 1, "unknown key 'x'; there are report, simple"),
         ("simple = 3", 1, "simple must be a table; write [simple]"),
         (
             "[simple]\nlength = 5",
@@ -116,6 +116,23 @@ def test_the_complete_recipe_gives_the_same_values_again(tmp_path: Path) -> None
         ('[elliptic]\nerror = "1e-9"', 2, "must be a number, without quotes"),
         ('[convergence]\nsteps = ["1 ms", "0.001 s"]', 2, "two different steps"),
         (b"[simple]\n# \xe9\n", 2, "not UTF-8 text"),
+        ("[report]\ntitle = 3", 2, 'report.title must be text, in quotes, got 3; write title = "'),
+        ('[report]\nauthor = ["Ada"]', 2, 'report.author must be text, in quotes, got ["Ada"]'),
+        ('[report]\n\ntitle = "a\\nb"', 3, "report.title must be one line, without control"),
+        ('[report]\nsections = "work"', 2, 'sections must be a list of at least one value, got "w'),
+        ("[report]\nsections = []", 2, "report.sections must be a list of at least one value"),
+        (
+            "[report]\nsections = [3]",
+            2,
+            "report.sections must be text, in quotes, got 3; there are",
+        ),
+        (
+            '[report]\nsections = ["work", "lineal"]',
+            2,
+            "report.sections must be known names, got \"lineal\"; did you mean 'linear'?",
+        ),
+        ('[report]\nsections = ["x1"]', 2, 'got "x1"; there are equations, linear, elliptic, '),
+        ('[report]\ntitel = "x"', 2, "unknown key 'titel' in [report]; did you mean 'title'?"),
     ],
 )
 def test_a_broken_recipe_is_told_in_one_line(
@@ -123,6 +140,16 @@ def test_a_broken_recipe_is_told_in_one_line(
 ) -> None:
     path = _written(tmp_path, text)
     refused_at(lambda: read_recipe(path), path, line, says)
+
+
+def test_a_recipe_is_ones_own_once_it_differs(tmp_path: Path) -> None:
+    assert not read_recipe(None).own
+    assert not read_recipe(_written(tmp_path, DEFAULT)).own
+    for text in ('[report]\ntitle = "Mine # \\"really\\""', '[double]\nl2 = "25 cm"'):
+        mine = read_recipe(_written(tmp_path, text))
+        again = read_recipe(_written(tmp_path, mine.text))
+        assert mine.own
+        assert again == mine
 
 
 def test_a_missing_recipe_is_named(tmp_path: Path) -> None:

@@ -11,6 +11,8 @@ from functools import cache
 from importlib import resources
 from typing import Any, Literal
 
+from pendula.study.formulas import in_typst
+
 __all__ = ["Erratum", "Language", "Text", "errata", "errata_page", "right_as_printed"]
 
 Language = Literal["en", "es"]
@@ -25,11 +27,16 @@ PAPER = (
 class Text:
     """The same words in English and in Spanish; ``text["es"]`` picks one."""
 
-    en: str
-    es: str
+    marked: dict[Language, str]
+    """With the formulas between dollar signs."""
 
     def __getitem__(self, language: Language) -> str:
-        return {"en": self.en, "es": self.es}[language]
+        """As plain text."""
+        return self.marked[language].replace("$", "")
+
+    def typst(self, language: Language) -> str:
+        """As the typesetter of the report reads it."""
+        return in_typst(self.marked[language])
 
 
 @dataclass(frozen=True, slots=True)
@@ -129,9 +136,11 @@ def _table() -> dict[str, Any]:
     return tomllib.loads(file.read_text(encoding="utf-8"))
 
 
-def _text(value: str | dict[str, str]) -> Text:
-    """Read a string (the same in both languages) or a table with en and es."""
-    return Text(value, value) if isinstance(value, str) else Text(**value)
+def _text(value: str | dict[Language, str]) -> Text:
+    """Read a table with en and es, or a string for both, in which the sine alone differs."""
+    if isinstance(value, str):
+        return Text({"en": value, "es": value.replace("sin", "sen")})
+    return Text(value)
 
 
 if __name__ == "__main__":

@@ -7,6 +7,7 @@ No number stands in the text itself; each comes from here, and what depends on h
 from __future__ import annotations
 
 import math
+from dataclasses import asdict
 from fractions import Fraction
 from itertools import product
 from typing import TYPE_CHECKING, Any
@@ -18,6 +19,7 @@ from pendula.analysis import at_steps
 from pendula.run.solve import methods
 from pendula.study.errata import errata
 from pendula.study.runs import METHODS, REPETITIONS
+from pendula.study.schema import REPORT
 from pendula.study.work import work_facts
 
 if TYPE_CHECKING:
@@ -34,6 +36,7 @@ def facts(results: Results, words: Labels, numbers: Numbers, version: str) -> di
     return {
         "version": version,
         "language": words.language,
+        "report": _report(results),
         "simple": _simple(results, numbers),
         "models": {name: _model(results, name, numbers) for name in results.models},
         "limits": _limits(results, numbers),
@@ -45,6 +48,12 @@ def facts(results: Results, words: Labels, numbers: Numbers, version: str) -> di
         "double": _double(results, words, numbers),
         "errata": _errata(words.language),
     }
+
+
+def _report(results: Results) -> dict[str, Any]:
+    part = results.recipe.report
+    sections = [name for name in REPORT if name in part.sections]
+    return asdict(part) | {"sections": sections, "own": results.recipe.own}
 
 
 def _simple(results: Results, numbers: Numbers) -> dict[str, Any]:
@@ -282,6 +291,6 @@ def _moment(moment: float, numbers: Numbers) -> str | None:
 def _errata(language: str) -> list[list[str]]:
     code: Any = language
     return [
-        [row.equation[code], row.printed[code], row.correct[code], row.why[code]]
+        [each.typst(code) for each in (row.equation, row.printed, row.correct, row.why)]
         for row in errata()
     ]

@@ -21,6 +21,7 @@ if TYPE_CHECKING:
 _INTERVAL = 0.02
 # Parts that are kept: of a radian, of a radian per second, of the energy at the start.
 _ANGLE, _RATE, _ENERGY = 1e4, 1e3, 1e3
+_SECTIONS = {"gentle": "linear", "large": "methods", "double": "double"}  # where each is played
 _MOST = 1e6  # of what blows up; a million radians are a blur as well
 
 
@@ -45,7 +46,11 @@ def motions(results: Results, words: Labels, replay: dict[str, str]) -> dict[str
     return {
         "words": replay,
         "decimal": words.decimal,
-        "motions": {name: _motion(*player, words) for name, player in players.items()},
+        "motions": {
+            name: _motion(*player, words)
+            for name, player in players.items()
+            if _SECTIONS[name] in recipe.report.sections
+        },
     }
 
 

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from pendula._recipe_file import RecipeFile, as_toml
 from pendula.study.checks import check
-from pendula.study.schema import SECTIONS, Recipe, Rule
+from pendula.study.schema import SECTIONS, Recipe, Rule, TextRule
 
 if TYPE_CHECKING:
     from pendula._recipe_file import RecipeSource
@@ -32,7 +32,8 @@ def read_recipe(path: RecipeSource | None) -> Recipe:
     default = resources.files("pendula.study").joinpath("default.toml").read_text("utf-8")
     reader = _Reader(path, tomllib.loads(default))
     parts = {name: reader.section(name) for name in SECTIONS}
-    recipe = Recipe(**parts, text=_resolved(default, reader.tree), place=reader.place)
+    text = _resolved(default, reader.tree)
+    recipe = Recipe(**parts, text=text, own=text != default, place=reader.place)
     check(recipe, reader.blame)
     return recipe
 
@@ -56,7 +57,7 @@ class _Reader:
             **{f.name: self._value(name, f.name, f.metadata["rule"]) for f in rows}
         )
 
-    def _value(self, section: str, key: str, rule: Rule) -> Any:
+    def _value(self, section: str, key: str, rule: Rule | TextRule) -> Any:
         raw = self.tree[section][key]
         if not rule.many:
             return self._one(section, key, rule, raw)
@@ -64,12 +65,19 @@ class _Reader:
             raise self._wrong(section, key, "must be a list of at least one value", raw)
         return tuple(self._one(section, key, rule, each) for each in raw)
 
-    def _one(self, section: str, key: str, rule: Rule, raw: Any) -> float:
+    def _one(self, section: str, key: str, rule: Rule | TextRule, raw: Any) -> float | str:
+        if isinstance(rule, TextRule):
+            return self._text(section, key, rule, raw)
         read = self._number if rule.unit is None else self._quantity
         value = read(section, key, rule, raw)
         if not rule.allows(value):
             raise self._wrong(section, key, f"must be {rule.range()}", raw)
         return value
+
+    def _text(self, section: str, key: str, rule: TextRule, raw: Any) -> str:
+        if broken := rule.broken_by(raw):
+            raise self._wrong(section, key, broken, raw, rule.way_out(key, raw))
+        return str(raw)
 
     def _number(self, section: str, key: str, rule: Rule, raw: Any) -> float:
         if rule.whole and isinstance(raw, float) and raw.is_integer():
@@ -85,9 +93,10 @@ class _Reader:
             raise self._wrong(section, key, "needs a quantity with its unit, in quotes", raw)
         return self._file.quantity(section, key, str(rule.unit), raw)
 
-    def _wrong(self, section: str, key: str, rule: str, raw: Any) -> ValueError:
+    def _wrong(self, section: str, key: str, rule: str, raw: Any, way_out: str = "") -> ValueError:
         example = f"{key} = {as_toml(self._default[section][key])}"
-        message = f"{section}.{key} {rule}, got {as_toml(raw)}; the study's own is {example}"
+        way_out = way_out or f"the study's own is {example}"
+        message = f"{section}.{key} {rule}, got {as_toml(raw)}; {way_out}"
         return self.blame(section, (key,), message)
 
 

@@ -3,8 +3,11 @@
 from __future__ import annotations
 
 import math
+import unicodedata
 from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any
+
+from pendula._recipe_file import suggestion
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -37,7 +40,36 @@ class Rule:
         return f"between {self.low:g} and {self.high:g}{unit}"
 
 
-def _value(rule: Rule) -> Any:
+@dataclass(frozen=True)
+class TextRule:
+    """What a text must be: one of the `choices`, or one line; a list of such, or one."""
+
+    choices: tuple[str, ...] = ()
+    many: bool = False
+
+    def broken_by(self, value: Any) -> str:
+        """What a value must be and is not; empty: it is."""
+        if not isinstance(value, str):
+            return "must be text, in quotes"
+        if self.choices:
+            return "" if value in self.choices else "must be known names"
+        one_line = not any(unicodedata.category(each) in _NO_TEXT for each in value)
+        return "" if one_line else "must be one line, without control characters"
+
+    def way_out(self, key: str, value: Any) -> str:
+        """What to write instead of a value that breaks the rule."""
+        if self.choices:
+            return suggestion(str(value), self.choices)
+        return f'write {key} = "Two pendulums", say'
+
+
+# Control characters, ends of lines, and halves of characters, which no file can hold.
+_NO_TEXT = ("Cc", "Cs", "Zl", "Zp")
+# The sections of the report, each a file of the text, in their order.
+REPORT = ("equations", "linear", "elliptic", "methods", "double", "work", "errata")
+
+
+def _value(rule: Rule | TextRule) -> Any:
     return field(metadata={"rule": rule})
 
 
@@ -54,6 +86,15 @@ _RATE = Rule("rad/s", low=-1e4, high=1e4)
 _PARTS = Rule(low=0, high=1, many=True)
 _SWINGS = Rule(low=0, high=101, whole=True, many=True)
 _TERMS = Rule(low=0, high=1001, whole=True, many=True)
+
+
+@dataclass(frozen=True)
+class Report:
+    """What the report is called, who wrote it, and what it says."""
+
+    title: str = _value(TextRule())
+    author: str = _value(TextRule())
+    sections: tuple[str, ...] = _value(TextRule(choices=REPORT, many=True))
 
 
 @dataclass(frozen=True)
@@ -137,6 +178,7 @@ class Double:
 class Recipe:
     """Everything the study's numbers follow from."""
 
+    report: Report
     simple: Simple
     linear_model: LinearModel
     period: Period
@@ -146,11 +188,14 @@ class Recipe:
     double: Double
     text: str
     """The complete recipe as TOML; read again, it gives the same numbers bit for bit."""
+    own: bool
+    """Whether it differs from the study's own."""
     place: Callable[..., str] = field(compare=False)
     """The file, and the line of the first of some (table, key) that the file sets."""
 
 
 SECTIONS: dict[str, type[Any]] = {
+    "report": Report,
     "simple": Simple,
     "linear_model": LinearModel,
     "period": Period,
