@@ -24,6 +24,13 @@ const closed_form& closed_form_of(const system_description& of) {
   return *found;
 }
 
+// The same where the motion repeats itself: only then there is a period, an action, one time at an angle.
+const closed_form& periodic_form_of(const system_description& of) {
+  const closed_form& found = closed_form_of(of);
+  if (!found.period) throw nb::value_error("no motion of this system repeats itself");
+  return found;
+}
+
 void check_pairs(const matrix_in& states) {
   if (states.shape(1) != 2) throw nb::value_error("states must have two columns");
 }
@@ -57,7 +64,7 @@ bool exact(const system_description& of, const matrix_in& states, const array_in
 array_out periods(const system_description& of, const matrix_in& states) {
   check_pairs(states);
   new_array out({states.shape(0)});
-  complete([&, form = closed_form_of(of)](const auto& watch) {
+  complete([&, form = periodic_form_of(of)](const auto& watch) {
     return pendula::periods_of(form, of.parameters.data(), span_of(states), out.data, watch);
   });
   return out.array;
@@ -66,7 +73,7 @@ array_out periods(const system_description& of, const matrix_in& states) {
 array_out actions(const system_description& of, const matrix_in& states) {
   check_pairs(states);
   new_array out({states.shape(0)});
-  complete([&, form = closed_form_of(of)](const auto& watch) {
+  complete([&, form = periodic_form_of(of)](const auto& watch) {
     return pendula::actions_of(form, of.parameters.data(), span_of(states), out.data, watch);
   });
   return out.array;
@@ -76,7 +83,7 @@ array_out times_at(const system_description& of, const matrix_in& states, const 
   check_pairs(states);
   if (theta.shape(0) != states.shape(0)) throw nb::value_error("as many angles as states");
   new_array out({states.shape(0)});
-  complete([&, form = closed_form_of(of)](const auto& watch) {
+  complete([&, form = periodic_form_of(of)](const auto& watch) {
     return pendula::times_at(form, of.parameters.data(), span_of(states), span_of(theta), out.data, watch);
   });
   return out.array;

@@ -3,12 +3,15 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 
 #include "pendula/drive/polling.hpp"
+#include "pendula/exact/driven_linear.hpp"
 #include "pendula/exact/incomplete_F.hpp"
 #include "pendula/exact/simple_times.hpp"
 #include "pendula/kernels/elliptic_arrays.hpp"
 #include "pendula/kernels/exact.hpp"
+#include "pendula/system/driven_linear_pendulum.hpp"
 #include "pendula/system/linear_pendulum.hpp"
 #include "pendula/system/simple_pendulum.hpp"
 
@@ -37,6 +40,24 @@ exact_outcome solve(const double* p, std::span<const double> states, std::span<c
   const auto go_on = [&] { return watch(0.0); };
   const exact_kernel& kernel = *all_exact().back();
   return linear ? exact_linear(kernel, asked, out, go_on) : exact_simple(kernel, asked, out, go_on);
+}
+
+// What the digits of the closed form with friction and drive reach for: no product of such numbers leaves the range.
+bool is_of_usual_size(double x) { return x == 0.0 || (std::fabs(x) < 0x1p200 && std::fabs(x) > 0x1p-200); }
+
+exact_outcome solve_driven_linear(const double* p, std::span<const double> states, std::span<const double> times,
+                                  double t0, double* out, const watcher& watch) {
+  const std::size_t parameters = driven_linear_pendulum::parameters.size();
+  if (!std::all_of(p, p + parameters, is_of_usual_size) || !std::ranges::all_of(states, is_of_usual_size)) {
+    std::fill_n(out, states.size() * times.size(), std::numeric_limits<double>::quiet_NaN());
+    return exact_outcome::refused;
+  }
+  const driven_linear system({p[0], p[1], p[2], p[3], p[4], p[5], p[6]}, t0);
+  const bool complete = driven_linear_points(system, states.data(), states.size() / 2, times.data(), times.size(), out,
+                                             [&] { return watch(0.0); });
+  if (!complete) return exact_outcome::stopped;
+  const bool known = std::none_of(out, out + states.size() * times.size(), [](double x) { return std::isnan(x); });
+  return known ? exact_outcome::complete : exact_outcome::refused;
 }
 
 // To the same bits as that of a simple pendulum whose swings are infinitely small.
@@ -84,7 +105,8 @@ pack<double, 4> four_from(std::span<const double> from, std::size_t i) {
 std::span<const closed_form> closed_forms() {
   static constexpr closed_form all[] = {
       {linear_pendulum::name, solve<true>, period_of_linear, action_of_linear, time_of_linear},
-      {simple_pendulum::name, solve<false>, period_of_simple, action_of_simple, time_of_simple}};
+      {simple_pendulum::name, solve<false>, period_of_simple, action_of_simple, time_of_simple},
+      {driven_linear_pendulum::name, solve_driven_linear, nullptr, nullptr, nullptr}};
   return all;
 }
 

@@ -164,6 +164,7 @@ BOOST_AUTO_TEST_CASE(of_many_steps_every_so_many_are_kept) {
     two_doubles start() const override { return {number, 0.0}; }
     double stop() const override { return 1.0; }
     double time_after(double tau) const override { return number + tau; }
+    void state(double, double*) const override {}
     void angles(double, double*) const override {}
     step_memory memory() const override { return {number}; }
   };

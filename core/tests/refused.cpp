@@ -1,5 +1,5 @@
 // What must not compile, one case at a time: REFUSED names it, and ctest looks for the facet in what the compiler says.
-#include "damped_pendulum.hpp"
+#include "damped_bob.hpp"
 #include "partial_systems.hpp"
 #include "pendula/drive/fixed.hpp"
 #include "pendula/method/dop853.hpp"
@@ -9,7 +9,7 @@
 #include "pendula/method/verlet.hpp"
 
 using namespace pendula;
-using damped = damped_pendulum::over<double>;
+using damped = damped_bob::over<double>;
 
 #if REFUSED == 0  // all of this is sound
 using stepper = dop853_stepper<damped>;

@@ -1,12 +1,12 @@
 // A system with friction passes what the catalogue's do, and loses the energy that friction takes.
 #include "conformance_adaptive.hpp"
-#include "damped_pendulum.hpp"
+#include "damped_bob.hpp"
 
 using namespace pendula;
-using list = std::tuple<damped_pendulum>;
-using damped = damped_pendulum::over<double>;
+using list = std::tuple<damped_bob>;
+using damped = damped_bob::over<double>;
 
-BOOST_AUTO_TEST_SUITE(damped_pendulum_outside_the_catalogue)
+BOOST_AUTO_TEST_SUITE(damped_bob_outside_the_catalogue)
 
 BOOST_AUTO_TEST_CASE(every_method_converges_with_its_order) {
   conformance::every_method_converges_with_its_order<list>();
@@ -32,7 +32,7 @@ BOOST_AUTO_TEST_CASE(lanes_carry_the_bits_of_runs_alone) { conformance::lanes_ca
 
 // E(t) = E(0) − ∫ b ω² dt, the integral by Simpson's rule over the outputs.
 BOOST_AUTO_TEST_CASE(the_energy_falls_by_what_friction_takes) {
-  const damped system = conformance::some_system<damped_pendulum, double>(0);
+  const damped system = conformance::some_system<damped_bob, double>(0);
   const damped::state start{2.0, 1.5};
   const double span = 6.0;
   constexpr int count = 8192;

@@ -1,14 +1,14 @@
 // Time reaches the equations in every method: a driven pendulum, beside the same motion with its phase as a component.
 #include "conformance_adaptive.hpp"
-#include "driven_pendulum.hpp"
+#include "driven_bob.hpp"
 
 using namespace pendula;
-using list = std::tuple<driven_pendulum>;
-using driven = driven_pendulum::over<double>;
+using list = std::tuple<driven_bob>;
+using driven = driven_bob::over<double>;
 
 namespace {
 
-const driven system_of_all = conformance::some_system<driven_pendulum, double>(0);
+const driven system_of_all = conformance::some_system<driven_bob, double>(0);
 const driven::state start_of_all = conformance::some_state<driven>();
 
 // The motion of (θ, ω, Ωt), which no time has to reach, by the classical Runge–Kutta method with more digits.
@@ -34,7 +34,7 @@ driven::state truth_after(double from, double span) {
 
 }  // namespace
 
-BOOST_AUTO_TEST_SUITE(driven_pendulum_outside_the_catalogue)
+BOOST_AUTO_TEST_SUITE(driven_bob_outside_the_catalogue)
 
 BOOST_AUTO_TEST_CASE(every_method_goes_back_where_it_came_from) {
   conformance::every_method_goes_back_where_it_came_from<list>();

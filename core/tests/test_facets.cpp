@@ -1,10 +1,10 @@
 // Each method takes the systems that have what it needs, and no others: said at compile time, by facet.
 #include "conformance_adaptive.hpp"
-#include "damped_pendulum.hpp"
+#include "damped_bob.hpp"
 #include "partial_systems.hpp"
 
 using namespace pendula;
-using damped = damped_pendulum::over<double>;
+using damped = damped_bob::over<double>;
 
 namespace {
 

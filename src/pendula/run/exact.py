@@ -19,7 +19,9 @@ if TYPE_CHECKING:
 def exact(system: System, state: ArrayLike, t: ArrayLike, *, t0: float = 0.0) -> Trajectory:
     """The motion in closed form, for any state, in every regime, to the last bits.
 
-    The given numbers are taken as exact. The linear pendulum: Herrera et al. (2024), eq. 11. The
+    The given numbers are taken as exact. The linear pendulum: Herrera et al. (2024), eq. 11; with
+    friction and a drive in every regime (critical damping, resonance) to half a unit in the last
+    place of θ, by divided differences of the exponential (McCurdy, Ng & Parlett 1984). The
     simple pendulum by Jacobi elliptic functions (DLMF 22.19(i)): swings, turns (counted, never
     wrapped), the separatrix and what lies next to it. The error is at most 4 * 2^-52 of
     max(|θ|, min(1, amplitude)) and of the largest |ω| of the motion, at any time.
@@ -65,7 +67,7 @@ def time_at(system: System, state: ArrayLike, theta: ArrayLike) -> Any:
     """
     import numpy as np
 
-    solvable = with_closed_form(system)
+    solvable = with_closed_form(system, periodic=True)
     start = states_array(state, system.component_units)
     solvable.check_start(start)
     warn_of_degrees("state", state, start[..., 0])
@@ -95,7 +97,7 @@ def action(system: System, state: ArrayLike) -> Any:
     Raises:
         ValueError: for a system without a closed form, or values that are not finite.
     """
-    solvable = with_closed_form(system)
+    solvable = with_closed_form(system, periodic=True)
     start = states_array(state, system.component_units)
     solvable.check_start(start)
     warn_of_degrees("state", state, start[..., 0])

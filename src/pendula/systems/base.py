@@ -210,13 +210,16 @@ def class_names_that(can: Callable[[_engine.Capabilities], bool]) -> list[str]:
     return [System.classes[entry.name].__name__ for entry in systems_that(can)]
 
 
-def with_closed_form(system: object) -> ClosedForm:
-    """The system, which has a closed form.
+def with_closed_form(system: object, *, periodic: bool = False) -> ClosedForm:
+    """The system, which has a closed form; `periodic`: of motions that repeat themselves.
 
     Raises:
         ValueError: where it has none, or is no system.
     """
     one = check_system(system)
+    if periodic and one.can.closed_form and not one.can.period:
+        rule = "must be without friction and drive, got {value}: no motion then repeats itself"
+        raise ArgumentError("system", rule, value=system)
     if not one.can.closed_form:
         raise ArgumentError(
             "system",

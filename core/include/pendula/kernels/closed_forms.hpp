@@ -15,6 +15,7 @@ struct closed_form {
   // States (m, n, 2) at times (n,) from states (m, 2) at t0, into `out`.
   exact_outcome (*solve)(const double* parameters, std::span<const double> states, std::span<const double> times,
                          double t0, double* out, const watcher&);
+  // Those that follow are null where friction or a drive leaves no such thing.
   double (*period)(const double* parameters, const double* state);                 // s
   double (*action)(const double* parameters, const double* state);                 // J s
   double (*time_at)(const double* parameters, const double* state, double theta);  // from the state on [s]

@@ -6,10 +6,10 @@
 namespace pendula::inline PENDULA_MACHINE {
 
 template <class S>
-class driven_pendulum_series;
+class driven_bob_series;
 
 // θ̈ = −(g/L) sin θ + a cos Ωt.
-struct driven_pendulum : one_bob {
+struct driven_bob : one_bob {
   static constexpr std::string_view name = "driven";
   static constexpr capabilities can{.conservative = false,
                                     .autonomous = false,
@@ -26,7 +26,7 @@ struct driven_pendulum : one_bob {
   template <class S>
   struct over : one_bob::over<S> {
     using state = typename one_bob::over<S>::state;
-    using series = driven_pendulum_series<S>;
+    using series = driven_bob_series<S>;
 
     S drive, frequency;
 
@@ -57,12 +57,12 @@ struct driven_pendulum : one_bob {
 
 // Of the simple pendulum, with ω' = −(g/L) s + d and d = a cos Ωt, whose orders follow from d' = −e, e' = Ω² d.
 template <class S>
-class driven_pendulum_series : public one_bob_series<S> {
+class driven_bob_series : public one_bob_series<S> {
  public:
-  explicit driven_pendulum_series(int order)
+  explicit driven_bob_series(int order)
       : one_bob_series<S>(order), sine_(this->velocity_.size()), cosine_(this->velocity_.size()) {}
 
-  PENDULA_INLINE void expand(const driven_pendulum::over<S>& of, const head_and_tail<S>& t, const vec<S, 2>& point,
+  PENDULA_INLINE void expand(const driven_bob::over<S>& of, const head_and_tail<S>& t, const vec<S, 2>& point,
                              const vec<S, 2>& tail, const S* inverse) {
     const auto [s, c] = sincos_with_tail(sincos(point[0]), tail[0]);
     const auto phase = sincos_with_tail(sincos(of.frequency * t.head), of.frequency * t.tail);

@@ -6,10 +6,10 @@
 namespace pendula::inline PENDULA_MACHINE {
 
 template <class S>
-class damped_pendulum_series;
+class damped_bob_series;
 
 // θ̈ = −(g/L) sin θ − b/(m L²) ω, with friction b at the pivot.
-struct damped_pendulum : one_bob {
+struct damped_bob : one_bob {
   static constexpr std::string_view name = "damped";
   static constexpr capabilities can{.conservative = false,
                                     .autonomous = true,
@@ -25,7 +25,7 @@ struct damped_pendulum : one_bob {
   template <class S>
   struct over : one_bob::over<S> {
     using state = typename one_bob::over<S>::state;
-    using series = damped_pendulum_series<S>;
+    using series = damped_bob_series<S>;
 
     S friction;
     S rate = friction / (this->mass * this->length * this->length);
@@ -56,12 +56,12 @@ struct damped_pendulum : one_bob {
 
 // Of the simple pendulum, with ω' = −(g/L) s − b/(m L²) ω.
 template <class S>
-class damped_pendulum_series : public one_bob_series<S> {
+class damped_bob_series : public one_bob_series<S> {
  public:
-  explicit damped_pendulum_series(int order)
+  explicit damped_bob_series(int order)
       : one_bob_series<S>(order), sine_(this->velocity_.size()), cosine_(this->velocity_.size()) {}
 
-  PENDULA_INLINE void expand(const damped_pendulum::over<S>& of, const head_and_tail<S>&, const vec<S, 2>& point,
+  PENDULA_INLINE void expand(const damped_bob::over<S>& of, const head_and_tail<S>&, const vec<S, 2>& point,
                              const vec<S, 2>& tail, const S* inverse) {
     const auto [s, c] = sincos_with_tail(sincos(point[0]), tail[0]);
     S* const w = this->velocity_.data();
@@ -84,6 +84,6 @@ class damped_pendulum_series : public one_bob_series<S> {
   std::vector<S> sine_, cosine_;
 };
 
-static_assert(!Separable<damped_pendulum::over<double>> && Analytic<damped_pendulum::over<double>>);
+static_assert(!Separable<damped_bob::over<double>> && Analytic<damped_bob::over<double>>);
 
 }  // namespace pendula::inline PENDULA_MACHINE
