@@ -73,6 +73,11 @@ std::vector<broken> broken_starts_and_times() {
          r.t0 = 1e13;
          r.times = {1e13 + 1.0};
        })},
+      {"backward_of_dry_friction", "t", of([](auto& r) {
+         r.system = described("damped-double");
+         r.system.parameters.back() = 0.1;
+         r.times = {-1.0};
+       })},
       {"rod", "i", of([](auto& r) { r.events = {{event_kind::angle, 2}}; })},
       {"rod", "i", of([](auto& r) { r.events = {{event_kind::velocity_zero, -1}}; })},
   };
@@ -99,6 +104,10 @@ std::vector<broken> broken_steps() {
       {"tolerance_of_fixed", "tolerance", of([](auto& r) { r.options.tolerance = 1e-9; })},
       {"events_of_fixed", "events", of([](auto& r) { r.events = {{event_kind::angle}}; })},
       {"digits_alone", "digits", of([](auto& r) { r.options.digits = 12; })},
+      {"needs_conservative", "method", of([](auto& r) {
+         r.system = described("driven");
+         r.method = "verlet";
+       })},
   };
 }
 

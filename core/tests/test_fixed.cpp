@@ -7,7 +7,7 @@
 #include "pendula/system/linear_pendulum.hpp"
 
 using namespace pendula;
-using harmonic = linear_pendulum::over<double>;
+using oscillator = linear_pendulum::over<double>;
 
 namespace {
 
@@ -48,20 +48,23 @@ BOOST_AUTO_TEST_CASE(own_steps_end_where_they_should) {
 BOOST_AUTO_TEST_CASE(a_shortened_step_leaves_the_grid_alone) {
   const auto system = linear_pendulum::make<double>(0, unit);
   const fixed_output with[] = {{3, 0.004}, {10, 0.0}}, without[] = {{10, 0.0}};
-  harmonic::state a{}, b{};
-  fixed_run<rk4, harmonic>(system, {1.0, 0.0}, 0.0, 0.01, 100).through(with, [&](auto, auto& y) { a = y; }, always);
-  fixed_run<rk4, harmonic>(system, {1.0, 0.0}, 0.0, 0.01, 100).through(without, [&](auto, auto& y) { b = y; }, always);
+  oscillator::state a{}, b{};
+  fixed_run<rk4, oscillator>(system, {1.0, 0.0}, 0.0, 0.01, 100).through(with, [&](auto, auto& y) { a = y; }, always);
+  fixed_run<rk4, oscillator>(system, {1.0, 0.0}, 0.0, 0.01, 100)
+      .through(without, [&](auto, auto& y) { b = y; }, always);
   BOOST_TEST((a == b));
 }
 
 BOOST_AUTO_TEST_CASE(a_run_stops_at_its_step_limit_and_keeps_what_it_reached) {
   const auto system = linear_pendulum::make<double>(0, unit);
   const fixed_output outputs[] = {{5, 0.0}, {9, 0.005}, {20, 0.0}};
-  const auto result = fixed_run<rk4, harmonic>(system, {1.0, 0.0}, 0.0, 0.01, 10).through(outputs, nowhere, always)[0];
+  const auto result =
+      fixed_run<rk4, oscillator>(system, {1.0, 0.0}, 0.0, 0.01, 10).through(outputs, nowhere, always)[0];
   BOOST_TEST(name_of(result.ended) == "step_limit");
   BOOST_TEST(result.outputs == 2u);
   BOOST_TEST(result.steps == 10);
-  const auto enough = fixed_run<rk4, harmonic>(system, {1.0, 0.0}, 0.0, 0.01, 21).through(outputs, nowhere, always)[0];
+  const auto enough =
+      fixed_run<rk4, oscillator>(system, {1.0, 0.0}, 0.0, 0.01, 21).through(outputs, nowhere, always)[0];
   BOOST_TEST(name_of(enough.ended) == "reached_end");
   BOOST_TEST(enough.steps == 21);
 }
@@ -83,7 +86,7 @@ BOOST_AUTO_TEST_CASE(a_run_can_be_interrupted) {
   std::int64_t told = 0;
   const auto twice = [&](std::int64_t steps) { return (told = steps) < 3 * (1 << 14); };
   const auto result =
-      fixed_run<rk4, harmonic>(system, {1.0, 0.0}, 0.0, 1e-3, 10000000).through(outputs, nowhere, twice)[0];
+      fixed_run<rk4, oscillator>(system, {1.0, 0.0}, 0.0, 1e-3, 10000000).through(outputs, nowhere, twice)[0];
   BOOST_TEST(told == result.steps);
   BOOST_TEST(name_of(result.ended) == "interrupted");
   BOOST_TEST(result.steps == 3 * (1 << 14));
