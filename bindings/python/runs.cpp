@@ -4,10 +4,13 @@
 #include <nanobind/stl/string_view.h>
 #include <nanobind/stl/vector.h>
 
+#include <algorithm>
+
 #include "arrays.hpp"
 #include "interrupts.hpp"
 #include "pendula/kernels/balance.hpp"
 #include "pendula/kernels/check.hpp"
+#include "pendula/kernels/derivatives.hpp"
 #include "pendula/kernels/ensemble.hpp"
 #include "pendula/kernels/horizon.hpp"
 #include "pendula/kernels/long_runs.hpp"
@@ -17,7 +20,8 @@
 using namespace pendula_python;
 using namespace nb::literals;
 using pendula::crossings, pendula::dense_output, pendula::energy_balance, pendula::ensemble_result,
-    pendula::motion_pieces, pendula::request, pendula::run_result;
+    pendula::crossing_derivatives, pendula::motion_pieces, pendula::run_derivatives, pendula::request,
+    pendula::run_result;
 
 namespace {
 
@@ -103,6 +107,43 @@ energy_balance balance(const request& asked, nb::object progress) {
   return result;
 }
 
+run_derivatives derivatives(const request& asked, const array_in& outputs, const std::vector<std::size_t>& columns,
+                            nb::object progress) {
+  const std::size_t most = asked.state.size() + asked.system.parameters.size();
+  if (pendula::check(asked) || std::ranges::any_of(columns, [=](std::size_t each) { return each >= most; }))
+    throw nb::value_error("not a sound request, or derived by something it does not have");
+  const auto watch = watching(std::move(progress));
+  auto result = released([&] { return pendula::derivatives_of(asked, span_of(outputs), columns, watch); });
+  if (result.interrupted) throw nb::python_error();
+  return result;
+}
+
+void bind_derivatives(nb::module_& m) {
+  nb::class_<crossing_derivatives>(m, "CrossingDerivatives", "How times and states of an event change.")
+      .def(
+          "times",
+          [](const crossing_derivatives& c, std::size_t columns) {
+            return view(c, c.times, {c.times.size() / columns, columns});
+          },
+          "columns"_a, "(k, columns).")
+      .def(
+          "states",
+          [](const crossing_derivatives& c, std::size_t d, std::size_t columns) {
+            return view(c, c.states, {c.states.size() / (d * columns), d, columns});
+          },
+          "dimension"_a, "columns"_a, "At the event, whose time changes too, (k, d, columns).");
+  nb::class_<run_derivatives>(m, "RunDerivatives", "How a run changes with its start and with the parameters.")
+      .def(
+          "states",
+          [](const run_derivatives& r, std::size_t d, std::size_t columns) {
+            return view(r, r.states, {r.states.size() / (d * columns), d, columns});
+          },
+          "dimension"_a, "columns"_a, "At the outputs, (n, d, columns).")
+      .def_prop_ro("events", [](const run_derivatives& r) { return &r.events; }, nb::rv_policy::reference_internal);
+  m.def("derivatives", &derivatives, "request"_a, "outputs"_a, "columns"_a, "progress"_a.none(),
+        "Of the run, at output times of its own, by components of the start and, from their count on, parameters.");
+}
+
 void bind_balance(nb::module_& m) {
   nb::class_<energy_balance>(m, "EnergyBalance", "Work done on a system and heat that it gave off since t0 [J].")
       .def(
@@ -174,6 +215,7 @@ void bind_results(nb::module_& m) {
 void bind_runs(nb::module_& m) {
   bind_results(m);
   bind_balance(m);
+  bind_derivatives(m);
   nb::class_<ensemble_result>(m, "EnsembleResult", "What came of many runs.")
       .def_ro("refused", &ensemble_result::refused, "The fault for which nothing was run; None: they were.")
       .def_prop_ro("outcomes", &outcomes, "(n,): how each ended.")

@@ -1,5 +1,6 @@
 // Which of the builds of one trajectory's runs, and of the shadow beside them, this processor runs.
 #include "pendula/kernels/catalog_rows.hpp"
+#include "pendula/kernels/derivatives.hpp"
 #include "pendula/kernels/machine.hpp"
 #include "pendula/kernels/run_kernels.hpp"
 #include "pendula/kernels/shadow_kernels.hpp"
@@ -8,18 +9,22 @@ namespace pendula {
 
 namespace plain {
 extern const run_kernel fixed_runs, adaptive_runs;
+extern const derivative_kernel derivative_runs;
 extern const shadow_maker shadows;
 }  // namespace plain
 
 #ifdef PENDULA_X86_KERNELS
 namespace avx2 {
 extern const run_kernel adaptive_runs;
+extern const derivative_kernel derivative_runs;
 extern const shadow_maker shadows;
 }  // namespace avx2
 static const run_kernel* const adaptive_kernels[] = {&plain::adaptive_runs, &avx2::adaptive_runs};
+static const derivative_kernel* const derivative_kernels[] = {&plain::derivative_runs, &avx2::derivative_runs};
 static const shadow_maker* const shadow_makers[] = {&plain::shadows, &avx2::shadows};
 #else
 static const run_kernel* const adaptive_kernels[] = {&plain::adaptive_runs};
+static const derivative_kernel* const derivative_kernels[] = {&plain::derivative_runs};
 static const shadow_maker* const shadow_makers[] = {&plain::shadows};
 #endif
 
@@ -27,6 +32,8 @@ const run_kernel& kernel_for(const request& asked) {
   const bool adaptive = method_named(asked.method)->adaptive;
   return adaptive ? *built_for_here(adaptive_kernels).back() : plain::fixed_runs;  // those are as fast everywhere
 }
+
+const derivative_kernel& best_derivative_kernel() { return *built_for_here(derivative_kernels).back(); }
 
 const shadow_maker& best_shadow_maker() { return *built_for_here(shadow_makers).back(); }
 

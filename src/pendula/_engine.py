@@ -281,6 +281,7 @@ check_options = _core.check_options
 check_system = _core.check_system
 solve = _core.solve
 balance = _core.balance
+derivatives = _core.derivatives
 RunResult = _core.RunResult
 Crossings = _core.Crossings
 DenseOutput = _core.DenseOutput

@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING
 from pendula import _engine
 from pendula._angles import warn_of_degrees
 from pendula._checks import checked_progress
-from pendula._progress import with_bar
+from pendula._progress import part, with_bar
+from pendula.run.derivatives import check_method, checked_derivatives, with_derivatives
 from pendula.run.events import crossings_of
 from pendula.run.options import BEST_TOLERANCE, STANDARD_METHOD, takes_options
 from pendula.run.request import Request, checked_name, request_of
@@ -17,6 +18,7 @@ from pendula.run.trajectory import Trajectory
 from pendula.systems import System, check_system
 
 if TYPE_CHECKING:
+    from collections.abc import Iterable
     from typing import Unpack
 
     from numpy.typing import ArrayLike
@@ -40,6 +42,7 @@ def solve(
     method: MethodName = STANDARD_METHOD,
     *,
     t0: float = 0.0,
+    derivatives: str | Iterable[str] | None = None,
     progress: AskedProgress = None,
     **options: Unpack[RunOptions],
 ) -> Trajectory:
@@ -54,6 +57,8 @@ def solve(
             shortened step from the grid.
         method: a name that `methods()` lists.
         t0: time of the state [s].
+        derivatives: names of components of the start and of parameters to derive the states and
+            the events by, or "state", "parameters" or "all"; the Taylor method alone has them.
         progress: called with the part of a long run that is done, 0 to 1, every few milliseconds;
             True: a bar, in a notebook or a terminal.
         **options: see `RunOptions`.
@@ -68,12 +73,16 @@ def solve(
     check_system(system)
     report: Progress = checked_progress(progress)
     name = checked_name(method)
+    derived_by = checked_derivatives(derivatives, system)
     asked = request_of(system, state, t, name, t0, **options)
+    check_method(derived_by, name, asked.digits)
     warn_of_degrees("state", state, asked.state[: system.can.degrees_of_freedom])
     warn_of_stiffness([system], abs(asked.end - asked.t0))
     if asked.digits is not None:
         return _solve_digits(system, asked, report)
-    return trajectory_of(system, name, asked, _engine.solve(asked.for_core(system, name), report))
+    result = _engine.solve(asked.for_core(system, name), part(report, 0.0, 0.2 if derived_by else 1.0))
+    run = trajectory_of(system, name, asked, result)
+    return with_derivatives(run, derived_by, part(report, 0.2, 1.0))
 
 
 def trajectory_of(

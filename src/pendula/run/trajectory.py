@@ -27,6 +27,7 @@ if TYPE_CHECKING:
 
     from pendula._progress import AskedProgress
     from pendula._types import Array
+    from pendula.run.derivatives import CrossingDerivatives
     from pendula.run.events import Crossings
     from pendula.run.request import Request
     from pendula.systems import System
@@ -57,6 +58,9 @@ class Trajectory:
             inf: not within the run; None: not asked.
         dense: what a run with steps of its own left for `at`; None: `at` makes the run again.
         precision: decimal digits that a run with `digits` was computed with; None: a double's.
+        derivatives: of the states by what `derivative_names` says, (n, d, k); None: not asked.
+        derivative_names: components of the start, and parameters, (k,).
+        event_derivatives: of the times and states of each event, in that order.
     """
 
     system: System
@@ -71,6 +75,9 @@ class Trajectory:
     events: tuple[Crossings, ...] = ()
     trust_horizon: float | None = None
     precision: int | None = None
+    derivatives: Array | None = None
+    derivative_names: tuple[str, ...] = ()
+    event_derivatives: tuple[CrossingDerivatives, ...] = ()
     dense: _engine.DenseOutput | None = field(default=None, repr=False)
 
     @property

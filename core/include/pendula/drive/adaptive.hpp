@@ -57,7 +57,7 @@ class adaptive_run {
       S stop = last ? left : S(stepper_.length());
       const bool piece_ends = ends_piece(stop);
       last = last && !piece_ends;
-      if constexpr (std::same_as<S, double>) terminated_ = !trackers_.empty() && report_events(stop, consumer);
+      if constexpr (has_double_precision<S>) terminated_ = !trackers_.empty() && report_events(stop, consumer);
       const bool enough = !consumer.step(*this, stop);
       result.reached = last && !terminated_ ? end_ : time_after(stop);
       if (terminated_) return ended(result, outcome::event);
@@ -102,9 +102,9 @@ class adaptive_run {
   }
 
   bool countable() const {
-    if constexpr (std::same_as<S, double>)
+    if constexpr (has_double_precision<S>)
       for (const event_tracker& each : trackers_)
-        if (!each.countable(stepper_)) return false;
+        if (!each.countable(view_of(stepper_))) return false;
     return true;
   }
 
@@ -146,20 +146,40 @@ class adaptive_run {
 
   // True where one ends the run, at the time `stop` then is.
   template <class Consumer>
-  bool report_events(double& stop, Consumer& consumer) {
+  bool report_events(S& stop, Consumer& consumer) {
     found_.clear();
-    for (event_tracker& each : trackers_) each.find(stepper_, stop / stepper_.length(), found_);
+    const view_of view(stepper_);
+    for (event_tracker& each : trackers_) each.find(view, rough(stop) / stepper_.length(), found_);
     std::stable_sort(found_.begin(), found_.end(),
                      [this](const crossing& a, const crossing& b) { return a.tau * direction_ < b.tau * direction_; });
     bool terminated = false;
     for (const crossing& each : found_) {
-      if (terminated && !at_once(each.tau, stop, stepper_.length())) break;
-      consumer.event(*this, each.event, terminated ? stop : each.tau);
+      if (terminated && !at_once(each.tau, rough(stop), stepper_.length())) break;
+      const S tau = terminated ? stop : with_changes(view, each);
+      consumer.event(*this, each.event, tau);
       if (++counts_[each.event] != trackers_[each.event].what().terminal || terminated) continue;
-      stop = each.tau;
+      stop = tau;
       terminated = true;
     }
     return terminated;
+  }
+
+  // The time of a crossing as a number that follows start and parameters, where S does: by one step of Newton's method,
+  // whose value is none.
+  S with_changes(const step_view& view, const crossing& at) const {
+    if constexpr (std::same_as<S, double>) {
+      return at.tau;
+    } else {
+      const event& what = trackers_[at.event].what();
+      const auto& system = stepper_.of();
+      const auto y = stepper_.state_of(stepper_.after(S(at.tau)));
+      constexpr std::size_t freedom = degrees_of_freedom<System>;
+      const auto i = static_cast<std::size_t>(what.index);
+      const S quantity = what.kind == event_kind::angle           ? y[i]
+                         : what.kind == event_kind::velocity_zero ? y[freedom + i]
+                                                                  : system.positions(y).back()[1];
+      return S(at.tau) - (quantity - S(rough(quantity))) / S(trackers_[at.event].rate(view, at.tau));
+    }
   }
 
   Stepper& stepper_;

@@ -7,9 +7,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "pendula/concepts.hpp"
 #include "pendula/drive/event.hpp"
-#include "pendula/scalar/polynomial_roots.hpp"
+#include "pendula/drive/step_view.hpp"
 #include "pendula/scalar/sincos.hpp"
 #include "pendula/scalar/wide.hpp"
 
@@ -71,8 +70,7 @@ class event_tracker {
       : what_(what), place_(place), last_bits_of_time_(2.0 * detail::last_bit(t0)) {}
 
   // Whether all crossings of the step can be found; a motion too fast for that ends the run.
-  template <class Stepper>
-  bool countable(const Stepper& stepper) const {
+  bool countable(const step_view& stepper) const {
     const auto few = [&](int angle, double most) {
       const polynomial p = stepper.angle_polynomial(angle);
       return p.reach(1.0) <= most * detail::turn_head &&
@@ -80,14 +78,13 @@ class event_tracker {
     };
     if (what_.kind == event_kind::angle) return !what_.every_turn || few(what_.index, detail::most_turns);
     if (what_.kind == event_kind::velocity_zero) return true;
-    for (std::size_t i = 0; i < lengths_of(stepper).size(); ++i)
+    for (std::size_t i = 0; i < stepper.lengths().size(); ++i)
       if (!few(static_cast<int>(i), detail::most_turns_of_tip)) return false;
     return true;
   }
 
   // Adds the crossings of a step that is worked out, up to the part `end` of its length, in their order.
-  template <class Stepper>
-  void find(const Stepper& stepper, double end, std::vector<crossing>& found) {
+  void find(const step_view& stepper, double end, std::vector<crossing>& found) {
     const int parts = parts_of(stepper);
     for (int i = 0; i < parts && i < end * parts; ++i) {
       const piece part{static_cast<double>(i) / parts, 1.0 / parts};
@@ -96,6 +93,15 @@ class event_tracker {
   }
 
   const event& what() const { return what_; }
+
+  // How fast the quantity changes a time tau into the step.
+  double rate(const step_view& stepper, double tau) const {
+    const int parts = parts_of(stepper);
+    const double x = tau / stepper.length();
+    const double i = std::min(std::floor(x * parts), parts - 1.0);
+    const piece part{i / parts, 1.0 / parts};
+    return quantity(stepper, part).slope((x - part.from) / part.width) / (part.width * stepper.length());
+  }
 
  private:
   struct piece {  // of a step
@@ -106,31 +112,16 @@ class event_tracker {
     std::int64_t gap;  // after it
   };
 
-  template <class Stepper>
-  using system_of = std::remove_cvref_t<decltype(std::declval<const Stepper&>().of())>;
-
-  // Of the rods that hold the tip.
-  template <class Stepper>
-  static auto lengths_of(const Stepper& stepper) {
-    if constexpr (Positioned<system_of<Stepper>>) {
-      return stepper.of().lengths();
-    } else {
-      return std::array<double, 0>{};
-    }
-  }
-
   // The cosine of an angle is a good polynomial for a turn of 1 rad, not for that of any step.
-  template <class Stepper>
-  int parts_of(const Stepper& stepper) const {
+  int parts_of(const step_view& stepper) const {
     double reach = 1.0;
     if (what_.kind == event_kind::tip_height)
-      for (std::size_t i = 0; i < lengths_of(stepper).size(); ++i)
+      for (std::size_t i = 0; i < stepper.lengths().size(); ++i)
         reach = std::max(reach, stepper.angle_polynomial(static_cast<int>(i)).reach(1.0));
     return static_cast<int>(std::ceil(reach));
   }
 
-  template <class Stepper>
-  void find_in(const Stepper& stepper, piece part, double end, std::vector<crossing>& found) {
+  void find_in(const step_view& stepper, piece part, double end, std::vector<crossing>& found) {
     const polynomial p = quantity(stepper, part);
     const double reach = p.reach(1.0), noise = 0x1p-50 * (size(stepper, p) + reach);
     const double margin = std::max(detail::unsure * reach, noise);
@@ -158,8 +149,7 @@ class event_tracker {
 
   // Which gap a run begins in; false where it starts on a target. That it does where an event ended the run before it,
   // whose state is on the target but for its rounding, and for what the quantity changes by in the last bits of t0.
-  template <class Stepper>
-  bool begin_run(const Stepper& stepper, piece part, double beside, const polynomial& p, double margin) {
+  bool begin_run(const step_view& stepper, piece part, double beside, const polynomial& p, double margin) {
     first_ = false;
     const double rate = p.reach(1.0) / (part.width * std::fabs(stepper.length()));
     const double rounding = 0x1p-50 * (size(stepper, p) + scale(stepper)) + rate * last_bits_of_time_;
@@ -169,16 +159,14 @@ class event_tracker {
   }
 
   // What the numbers of a state are as large as that the quantity is made of: their rounding is in parts of that.
-  template <class Stepper>
-  double scale(const Stepper& stepper) const {
+  double scale(const step_view& stepper) const {
     if (what_.kind == event_kind::angle) return stepper.amplitude();
     double sum = 0.0;
     if (what_.kind == event_kind::velocity_zero) {
       sum = stepper.amplitude() * stepper.frequency();
-      for (std::size_t i = 0; i < degrees_of_freedom<system_of<Stepper>>; ++i)
-        sum += std::fabs(stepper.velocity_polynomial(static_cast<int>(i)).coefficient[0]);
+      for (int i = 0; i < stepper.angles(); ++i) sum += std::fabs(stepper.velocity_polynomial(i).coefficient[0]);
     } else {
-      const auto lengths = lengths_of(stepper);
+      const auto lengths = stepper.lengths();
       for (std::size_t i = 0; i < lengths.size(); ++i)
         sum += lengths[i] * std::fabs(stepper.angle_polynomial(static_cast<int>(i)).coefficient[0]);
     }
@@ -187,8 +175,7 @@ class event_tracker {
 
   // Which gap the motion is in at the start of a part; false where it is too near to a target to decide. Where it is
   // not the gap it was left in, a crossing lies where the parts join.
-  template <class Stepper>
-  bool begin(const Stepper& stepper, piece part, double beside, const polynomial& p, double margin,
+  bool begin(const step_view& stepper, piece part, double beside, const polynomial& p, double margin,
              std::vector<crossing>& found) {
     const bool sure = std::fabs(beside) > margin;
     const std::int64_t now = side_after(beside, p, margin);
@@ -208,22 +195,20 @@ class event_tracker {
   }
 
   // What the numbers are made of that the quantity is the difference of: its rounding is in parts of that.
-  template <class Stepper>
-  double size(const Stepper& stepper, const polynomial& p) const {
+  double size(const step_view& stepper, const polynomial& p) const {
     double sum = std::fabs(p.coefficient[0]) + 2.0 * std::fabs(what_.value);
     if (what_.kind == event_kind::tip_height)
-      for (double length : lengths_of(stepper)) sum += length;
+      for (double length : stepper.lengths()) sum += length;
     return sum;
   }
 
   // What the event is about, less its value, on [0, 1] for the part of the step.
-  template <class Stepper>
-  polynomial quantity(const Stepper& stepper, piece part) const {
+  polynomial quantity(const step_view& stepper, piece part) const {
     polynomial p;
     if (what_.kind == event_kind::angle) p = stepper.angle_polynomial(what_.index);
     if (what_.kind == event_kind::velocity_zero) p = stepper.velocity_polynomial(what_.index);
     if (what_.kind == event_kind::tip_height) {
-      const auto lengths = lengths_of(stepper);
+      const auto lengths = stepper.lengths();
       for (std::size_t i = 0; i < lengths.size(); ++i) {
         const polynomial angle = stepper.angle_polynomial(static_cast<int>(i)).about(part.from, part.width);
         const polynomial cosine = detail::cosine_of(angle);
@@ -236,29 +221,19 @@ class event_tracker {
   }
 
   // The same less n turns, with the tails of angle and value.
-  template <class Stepper>
-  polynomial minus_turns(const Stepper& stepper, piece part, polynomial p, std::int64_t n) const {
+  polynomial minus_turns(const step_view& stepper, piece part, polynomial p, std::int64_t n) const {
     if (what_.kind == event_kind::angle) p.coefficient[0] = precisely(stepper, part.from * stepper.length(), n);
     return p;
   }
 
   // The quantity a time tau into the step, less value and n turns, without the cancellation.
-  template <class Stepper>
-  double precisely(const Stepper& stepper, double tau, std::int64_t n) const {
-    const auto point = stepper.after(tau);
-    if (what_.kind == event_kind::angle) {
-      const wide<double> turns = wide<double>(detail::turn_head, detail::turn_tail) * static_cast<double>(n);
-      const wide<double> angle(two_sum(point.head[what_.index], point.tail[what_.index]));
-      // the target first: that of −π is then exactly the opposite of that of π
-      return rounded(angle - (wide<double>(what_.value, what_.value_tail) + turns));
-    }
-    const auto y = stepper.state_of(point);
-    if (what_.kind == event_kind::velocity_zero) return y[y.size() / 2 + what_.index] - what_.value;
-    if constexpr (Positioned<system_of<Stepper>>) {
-      return stepper.of().positions(y).back()[1] - what_.value;
-    } else {
-      return __builtin_nan("");  // every system of the catalogue has positions
-    }
+  double precisely(const step_view& stepper, double tau, std::int64_t n) const {
+    if (what_.kind == event_kind::velocity_zero) return stepper.velocity(tau, what_.index) - what_.value;
+    if (what_.kind == event_kind::tip_height) return stepper.tip_height(tau) - what_.value;
+    const auto [head, tail] = stepper.angle(tau, what_.index);
+    const wide<double> turns = wide<double>(detail::turn_head, detail::turn_tail) * static_cast<double>(n);
+    // the target first: that of −π is then exactly the opposite of that of π
+    return rounded(wide<double>(two_sum(head, tail)) - (wide<double>(what_.value, what_.value_tail) + turns));
   }
 
   // Which way the quantity goes that starts on its target.
@@ -270,8 +245,7 @@ class event_tracker {
 
   // The root with what the polynomial does not know: its first coefficients' rounding, and terms left out, which a
   // loose tolerance makes large. Where that does not converge, as in a touch, the polynomial's own stands.
-  template <class Stepper>
-  double polished(const Stepper& stepper, piece part, const polynomial& p, std::int64_t n, double root) const {
+  double polished(const step_view& stepper, piece part, const polynomial& p, std::int64_t n, double root) const {
     double y = root, allowed = 1e-2;
     for (int i = 0; i < 8 && allowed > 0x1p-53; ++i) {
       const double correction = precisely(stepper, (part.from + part.width * y) * stepper.length(), n) / p.slope(y);
@@ -282,8 +256,7 @@ class event_tracker {
     return y;
   }
 
-  template <class Stepper>
-  void pass(const Stepper& stepper, double x, std::int64_t gap, std::vector<crossing>& found) {
+  void pass(const step_view& stepper, double x, std::int64_t gap, std::vector<crossing>& found) {
     if (gap == gap_) return;
     const bool grows = (gap > gap_) == (stepper.length() > 0.0);  // with time, whichever way the run goes
     gap_ = gap;

@@ -176,7 +176,8 @@ class lanes_run {
       for (int l = 0; l < width; ++l) {
         one_lane& mine = lanes_[l];
         if (!lane_of(near, l) || mine.trajectory == no_trajectory) continue;
-        const view step{stepper_, mine.system, l};
+        const view of_lane{stepper_, mine.system, l};
+        const view_of step(of_lane);
         if (!mine.trackers[i].countable(step)) {
           S this_one(0.0);
           set_lane(this_one, l, 1.0);

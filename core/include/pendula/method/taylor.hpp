@@ -178,13 +178,13 @@ class taylor_stepper {
   // log2 |θ_k|, of the angle where it is largest.
   PENDULA_INLINE R log2_of_size(int k) const {
     constexpr int freedom = degrees_of_freedom<Sys>;
-    if constexpr (has_bit_pattern<S>) {
-      S largest = magnitude(series_.velocity(0, k - 1));
+    if constexpr (has_double_precision<S>) {
+      R largest = magnitude(rough(series_.velocity(0, k - 1)));
       for (int i = 1; i < freedom; ++i) {
-        const S other = magnitude(series_.velocity(i, k - 1));
+        const R other = magnitude(rough(series_.velocity(i, k - 1)));
         largest = choose(less(largest, other), other, largest);
       }
-      return rough_log2(largest * inverse_[k]);
+      return rough_log2(largest * rough(inverse_[k]));
     } else {  // whose exponents can be beyond those of a double
       R largest = rough_log2(series_.velocity(0, k - 1));
       for (int i = 1; i < freedom; ++i) {

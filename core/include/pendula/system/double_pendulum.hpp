@@ -148,7 +148,7 @@ struct double_pendulum {
   // in the parameters, a sum of positive terms.
   template <class S>
   static S determinant(const S& A, const S& B, const S& C, const S& sum) {
-    if constexpr (has_bit_pattern<S>) {
+    if constexpr (carries_rounding<S>) {
       const S difference = difference_of_products(A, B, C, C);
       return choose(less(difference, S(0x1p-4) * (A * B)), sum, difference);
     } else {

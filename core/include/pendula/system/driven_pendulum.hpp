@@ -112,7 +112,7 @@ struct driven_pendulum {
 
     // Dry friction, per I, that can hold it; whether its friction changes where it turns round.
     vec<S, 1> holding() const { return {coulomb}; }
-    std::array<bool, 1> switching() const { return {rough(coulomb) > 0.0 || rough(quadratic) > 0.0}; }
+    std::array<bool, 1> switching() const { return {present(coulomb) || present(quadratic)}; }
     PENDULA_INLINE joint_motion<S, 1> joints_at(const head_and_tail<S>& t, const state& y) const {
       const S torque = smooth_torque(t, y), moving = senses[0] * senses[0];
       return {{torque}, {moving * (torque - senses[0] * (coulomb + quadratic * (y[1] * y[1])))}};
@@ -135,8 +135,8 @@ struct driven_pendulum {
 
   template <class S>
   static S without_rounding(const S& of_turn) {
-    const roughly<S> one(1.0), zero(0.0);
-    return of_turn * S(choose(less(magnitude(rough(of_turn)), roughly<S>(0x1p-52)), zero, one));
+    const roughly<S> value = rough(of_turn), zero(0.0);
+    return of_turn - S(choose(less(magnitude(value), roughly<S>(0x1p-52)), value, zero));
   }
 
   template <class S>

@@ -22,10 +22,15 @@ PENDULA_INLINE head_and_tail<S> phase_at(const S& frequency, const S& phase, con
   }
 }
 
-// Whether a term is there at all, in any lane: one with a coefficient of zero costs nothing.
+// Whether a term is there at all, in any lane: one with a coefficient of zero costs nothing. A zero whose change is
+// followed is there.
 template <class S>
 PENDULA_INLINE bool present(const S& coefficient) {
-  return any_lane(mask_not(equal(rough(coefficient), roughly<S>(0.0))));
+  if constexpr (requires { coefficient.changes(); }) {
+    return coefficient.value != 0.0 || coefficient.changes();
+  } else {
+    return any_lane(mask_not(equal(rough(coefficient), roughly<S>(0.0))));
+  }
 }
 
 template <class S>

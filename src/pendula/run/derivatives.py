@@ -1,0 +1,89 @@
+"""How a run changes with its start and with the parameters of its system."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import replace
+from typing import TYPE_CHECKING, NamedTuple
+
+from pendula import _engine
+from pendula._messages import ArgumentError, meant
+
+if TYPE_CHECKING:
+    from pendula._progress import Progress
+    from pendula._types import Array
+    from pendula.run.trajectory import Trajectory
+    from pendula.systems import System
+
+
+class CrossingDerivatives(NamedTuple):
+    """How the times and states of an event change.
+
+    Attributes:
+        times: (k, columns) [s per unit of what they are derived by].
+        states: at the event, whose time changes too, (k, d, columns).
+    """
+
+    times: Array
+    states: Array
+
+
+def checked_derivatives(asked: object, system: System) -> tuple[str, ...]:
+    """The names that a run is derived by: components of the start and parameters.
+
+    Args:
+        asked: "state", "parameters", "all", a name, or several names; None: none.
+        system: whose names they are.
+
+    Raises:
+        ValueError: for a name that the system does not have.
+    """
+    groups = {"state": system.components, "parameters": tuple(system.parameters)}
+    groups["all"] = groups["state"] + groups["parameters"]
+    if asked is None:
+        return ()
+    if isinstance(asked, str) and asked in groups:
+        return groups[asked]
+    names = (asked,) if isinstance(asked, str) or not isinstance(asked, Iterable) else tuple(asked)
+    for name in names:
+        if name not in groups["all"]:
+            rule = 'must be "state", "parameters", "all" or names among {choices}; got {value}'
+            way_out = meant(name, groups["all"]) if isinstance(name, str) else ""
+            raise ArgumentError("derivatives", rule, way_out, choices=groups["all"], value=name)
+    return tuple(dict.fromkeys(map(str, names)))
+
+
+def check_method(names: tuple[str, ...], method: str, digits: int | None) -> None:
+    """Derivatives come of the Taylor method, with the digits of doubles.
+
+    Raises:
+        ValueError: for another method, or a run with `digits`.
+    """
+    if names and (method != "taylor" or digits is not None):
+        given = f"method={method!r}" if digits is None else f"digits={digits}"
+        rule = f"come of the Taylor method with the digits of a double, got {given}"
+        raise ArgumentError("derivatives", rule, 'take <method="taylor">, without digits')
+
+
+def with_derivatives(run: Trajectory, names: tuple[str, ...], progress: Progress) -> Trajectory:
+    """The run, with its derivatives by components of the start and parameters."""
+    if not names:
+        return run
+    system, d = run.system, run.request.state.size
+    everything = (*system.components, *system.parameters)
+    found = _engine.derivatives(
+        run.request.for_core(system, run.method),
+        run.t,
+        [everything.index(name) for name in names],
+        progress,
+    )
+    columns = len(names)
+    return replace(
+        run,
+        derivatives=found.states(d, columns),
+        derivative_names=names,
+        event_derivatives=tuple(
+            CrossingDerivatives(each.times(columns), each.states(d, columns))
+            for each in found.events
+        ),
+    )
