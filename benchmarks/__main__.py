@@ -6,7 +6,7 @@ import subprocess
 import sys
 from pathlib import Path
 
-from benchmarks import ensembles, exact, peers, taylor
+from benchmarks import ensembles, exact, peers, real, taylor
 
 ROOT = Path(__file__).resolve().parent.parent
 BUILD = ROOT / "build" / "benchmarks"
@@ -75,6 +75,8 @@ def main() -> None:
     exact.report()
     print()
     taylor.report(BUILD)
+    print()
+    real.report()
     print()
     ensembles.report()
 

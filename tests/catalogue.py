@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from pendula._engine import Method, methods, system_entries
+from pendula._engine import Method, Parameter, methods, system_entries
 from pendula.systems import System, system_from
 
 if TYPE_CHECKING:
@@ -21,15 +21,25 @@ GOLDEN = 0.6180339887498949
 
 
 def made(name: str, form: str = "", **named: float) -> System:
-    """The system with these parameters, as far as it has them, and any others."""
+    """The system with these parameters, as far as it has them, and any others.
+
+    Friction is weak, as it grows backward in time; dry friction and drag, which change from piece
+    to piece of a motion, have to be named.
+    """
     entry = system_entries()[name]
     rows = entry.forms[entry.form_index(form)].parameters
     values = {
-        row.name: 9.81 if row.unit == "m/s^2" else 0.4 + GOLDEN * (i + 1) % 1.0
+        row.name: 9.81 if row.unit == "m/s^2" else _size(row) * (0.4 + GOLDEN * (i + 1) % 1.0)
         for i, row in enumerate(rows)
     }
     values.update((key, value) for key, value in named.items() if key in values)
     return system_from({"name": name, "form": form, "parameters": values})
+
+
+def _size(row: Parameter) -> float:
+    if row.name.startswith("coulomb") or row.name == "quadratic":
+        return 0.0
+    return 0.02 if row.unit.startswith("N m s") else 1.0
 
 
 ENTRIES = tuple(system_entries().values())

@@ -15,8 +15,7 @@ EPS = 2.0**-52
 
 def cases(name: str) -> list[dict[str, Any]]:
     """The cases of one file, whether each names its values or a table does for all of a kind."""
-    path = ROOT / "tests/reference" / name
-    loaded: Any = json.loads(path.read_text(encoding="utf-8"))
+    loaded = document(name)
     if isinstance(loaded, list):
         return loaded
     return [
@@ -24,6 +23,11 @@ def cases(name: str) -> list[dict[str, Any]]:
         for table in loaded["tables"]
         for row in table["rows"]
     ]
+
+
+def document(name: str) -> Any:
+    """One file as it stands."""
+    return json.loads((ROOT / "tests/reference" / name).read_text(encoding="utf-8"))
 
 
 def constant(name: str, header: str) -> float:

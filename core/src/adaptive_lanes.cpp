@@ -63,17 +63,16 @@ class feed {
 template <class Entry>
 bool can_share(const request& asked, const ensemble_rows& rows) {
   using Sys = typename Entry::template over<double>;
-  if constexpr (requires(const Sys& system) { system.terms(); }) {
+  if constexpr (Piecewise<Sys>) {
     const auto system_of = [&](std::size_t n) {
       return Entry::template make<double>(asked.system.form, rows.parameters_of(n));
     };
-    const auto terms = system_of(0).terms();
-    const std::size_t different = rows.parameters_apart == 0 ? 1 : rows.count;
+    const std::size_t different = rows.parameters_apart == 0 ? std::min<std::size_t>(1, rows.count) : rows.count;
     for (std::size_t n = 0; n < different; ++n) {
       const Sys system = system_of(n);
-      if (system.terms() != terms) return false;
-      if constexpr (Piecewise<Sys>)
-        if (std::ranges::any_of(system.switching(), std::identity{})) return false;
+      if (std::ranges::any_of(system.switching(), std::identity{})) return false;
+      if constexpr (requires { system.terms(); })
+        if (system.terms() != system_of(0).terms()) return false;
     }
   }
   return true;

@@ -211,6 +211,29 @@ def powers(system: str) -> tuple[list[str], list[str]]:
     Names of what does work on a system, and of what turns its energy into heat.
     """
 
+class CrossingDerivatives:
+    """How times and states of an event change."""
+
+    def times(self, columns: int) -> NDArray[numpy.float64]:
+        """(k, columns)."""
+
+    def states(self, dimension: int, columns: int) -> NDArray[numpy.float64]:
+        """At the event, whose time changes too, (k, d, columns)."""
+
+class RunDerivatives:
+    """How a run changes with its start and with the parameters."""
+
+    def states(self, dimension: int, columns: int) -> NDArray[numpy.float64]:
+        """At the outputs, (n, d, columns)."""
+
+    @property
+    def events(self) -> list[CrossingDerivatives]: ...
+
+def derivatives(request: Request, outputs: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], columns: Sequence[int], progress: object | None) -> RunDerivatives:
+    """
+    Of the run, at output times of its own, by components of the start and, from their count on, parameters.
+    """
+
 class EnsembleResult:
     """What came of many runs."""
 

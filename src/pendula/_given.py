@@ -179,7 +179,7 @@ def _converted(name: str, numbers: Any, written: str, units: Units, *, of_pint: 
 def _factor(name: str, written: str, unit: str, component: str, *, of_pint: bool) -> Fraction:
     text = "" if written in _NO_UNIT else written
     try:
-        return conversion(text, unit, of_pint=of_pint)
+        return conversion(text, unit, name, of_pint=of_pint)
     except UnknownUnitError as unknown:
         rule, way_out = "has the unknown unit {value}", near(unknown.unit, unit)
         way_out = way_out or (f"give numbers in {unit}" if unit else "give plain numbers")

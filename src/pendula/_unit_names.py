@@ -24,7 +24,7 @@ PI = Fraction("3.14159265358979323846264338327950288419716939937510")
 _MILLI = Fraction(1, 1000)
 _POUND = Fraction("0.45359237")
 _GRAVITY = Fraction("9.80665")
-_M, _KG, _S, _RAD, _PER_S, _RAD_PER_S, _M_PER_S2, _N, _J = (
+_M, _KG, _S, _RAD, _PER_S, _RAD_PER_S, _M_PER_S2, _N, _J, _J_S = (
     {"m": 1},
     {"kg": 1},
     {"s": 1},
@@ -34,6 +34,7 @@ _M, _KG, _S, _RAD, _PER_S, _RAD_PER_S, _M_PER_S2, _N, _J = (
     {"m": 1, "s": -2},
     {"kg": 1, "m": 1, "s": -2},
     {"kg": 1, "m": 2, "s": -2},
+    {"kg": 1, "m": 2, "s": -1},
 )
 
 # Symbols, whose case counts, and words, whose case and accents do not. A test holds them against
@@ -68,6 +69,9 @@ _ROWS: tuple[tuple[Fraction, dict[str, int], str, str], ...] = (
     (2 * PI, _RAD_PER_S, "rps", ""),
     (PI / 30, _RAD_PER_S, "rpm", ""),
     (PI / 180, _RAD_PER_S, "dps", ""),
+    (Fraction(1), _J, "Nm", ""),  # a torque; nm is a length
+    (_MILLI, _J, "mNm", ""),
+    (Fraction(1), _J_S, "Nms", ""),
     (_GRAVITY, _M_PER_S2, "g_0 g_n", "standard_gravity"),
     (_POUND * _GRAVITY, _N, "lbf", ""),
     (_GRAVITY, _N, "kgf kp", "kilopond kilopondio kilopondios"),
@@ -165,6 +169,7 @@ _PHRASES = tuple(  # what people write in several words
 # Of an angle; with a larger prefix "Grad" would be 10^9 rad.
 _ANGLE_PREFIXES = ("", "milli", "micro", "nano")
 _PINT_BASES = {"meter": "m", "gram": "kg", "second": "s", "radian": "rad"}
+_OF_CYCLES = re.compile(r"\w*?(hz|hertz|hercios?)", re.IGNORECASE)
 _FACTOR = re.compile(
     r"(?P<sign>\s*[*·⋅/]\s*|\s+|^)(?P<name>[^\W\d]+|°)(?:\s*(?:\^|\*\*)\s*)?(?P<power>[-+]?[1-9])?"
 )
@@ -220,6 +225,12 @@ def _product(text: str, one_named: Callable[[str], Unit]) -> Unit:
             powers[base] = powers.get(base, 0) + exponent * power
         position = found.end()
     return factor, {base: power for base, power in powers.items() if power}
+
+
+def turns_of(written: str, name: str) -> Fraction:
+    """The radians of a cycle where a frequency is given in Hz; of other values 1."""
+    cycles = name.endswith("frequency") and _OF_CYCLES.fullmatch(written.strip())
+    return 2 * PI if cycles else Fraction(1)
 
 
 def named(name: str) -> Unit:

@@ -21,6 +21,7 @@ from pendula._unit_names import (
     UnknownUnitError,
     pint_unit,
     prefix_of,
+    turns_of,
     unit_of,
 )
 
@@ -35,6 +36,10 @@ _EXAMPLES = {
     "kg": ("500", "g"),
     "m/s^2": ("9.81", "m/s^2"),
     "kg m^2": ("0.1", "kg m^2"),
+    "N m": ("0.1", "N m"),
+    "N m s": ("0.1", "N m s"),
+    "N m s^2": ("0.1", "N m s^2"),
+    "N m s^3": ("0.1", "N m s^3"),
     "": ("0.5", ""),
 }
 _EXAMPLE = "write {text}, say"
@@ -91,10 +96,14 @@ def half_turns(text: str, name: str) -> list[Fraction]:
     return [each / PI for each in _values(text, "rad", name)]
 
 
-def conversion(written: str, unit: str, *, of_pint: bool = False) -> Fraction:
+def conversion(written: str, unit: str, name: str, *, of_pint: bool = False) -> Fraction:
     """What numbers in a unit that is written out have to be multiplied by for another.
 
-    `of_pint`: by pint, whose names it has.
+    Args:
+        written: the unit.
+        unit: the other, in SI.
+        name: of the value: a frequency in Hz counts whole turns.
+        of_pint: whether pint wrote it, whose names it has.
 
     Raises:
         RuleError: for a unit of another kind.
@@ -103,6 +112,9 @@ def conversion(written: str, unit: str, *, of_pint: bool = False) -> Fraction:
     wanted = unit_of(unit)
     read = pint_unit if of_pint else unit_of
     factor, powers = read(written.translate(_PLAIN_SIGNS))
+    turns = turns_of(written, name)
+    if unit == "rad/s" and turns != 1:
+        return factor * turns
     if powers != wanted[1] and (powers or unit != "rad"):  # an arc over its radius is an angle
         raise RuleError(_kind(unit))
     return factor / wanted[0]
@@ -181,7 +193,8 @@ def _check_list(entries: list[str], text: str, unit: str, name: str) -> None:
 def _value(text: str, unit: str, name: str) -> Fraction:
     details = {"value": _shortened(text), "text": example_of(unit)}
     try:
-        return _read(unicodedata.normalize("NFC", text).strip().translate(_PLAIN_SIGNS), unit)
+        written = unicodedata.normalize("NFC", text).strip().translate(_PLAIN_SIGNS)
+        return _read(written, unit, name)
     except UnknownUnitError as unknown:
         rule, way_out = "has the unknown unit {unknown} in {value}", near(unknown.unit, unit)
         way_out = way_out or _EXAMPLE
@@ -198,7 +211,7 @@ class _BareAngleError(Exception):
     """An angle without a unit."""
 
 
-def _read(text: str, unit: str) -> Fraction:
+def _read(text: str, unit: str, name: str) -> Fraction:
     if not text or len(text) > _LONGEST:
         raise RuleError("be one quantity")
     if _NOT_FINITE.match(text):
@@ -206,12 +219,15 @@ def _read(text: str, unit: str) -> Fraction:
     found = _NUMBER.fullmatch(text)
     if not found:
         raise RuleError("begin with a number")
-    return _converted(found, unit)
+    return _converted(found, unit, name)
 
 
-def _converted(found: re.Match[str], unit: str) -> Fraction:
+def _converted(found: re.Match[str], unit: str, name: str) -> Fraction:
     wanted = unit_of(unit)
     factor, powers = unit_of(found["unit"]) if found["unit"] else wanted
+    turns = turns_of(found["unit"], name)
+    if unit == "rad/s" and turns != 1:
+        factor, powers = factor * turns, wanted[1]
     if powers != wanted[1]:
         raise RuleError(_kind(unit))
     nearly = float(found["number"])

@@ -102,7 +102,11 @@ def largest_energy_error(run: Trajectory) -> float:
 
 def _rows_of(run: Trajectory, chosen: Sequence[int]) -> str:
     components = _engine.system_entries()[run.system.name].components
-    header = ["t [s]", *(f"{row.name} [{row.unit}]" for row in components), "(E-E0)/E0"]
+    header = [
+        "t [s]",
+        *(f"{row.name} [{row.unit}]" for row in components),
+        "(E-E0)/E0" if run.system.can.conservative else "defect",
+    ]
     digits = digits_of(len(components))
     energy_error = run.energy_error
     rows = [

@@ -145,7 +145,8 @@ def _energy(ax: Axes, run: Trajectory, words: Labels) -> None:
     if np.any(error > 0):
         logarithmic(ax, "y")
     ax.set_xlabel(words.axis["time"])
-    ax.set_ylabel(words.axis["energy_error"])
+    ideal = run.system.can.conservative
+    ax.set_ylabel(words.axis["energy_error" if ideal else "energy_defect"])
 
 
 def _plane(ax: Axes, run: Trajectory, words: Labels) -> None:

@@ -80,7 +80,9 @@ def solve(
     warn_of_stiffness([system], abs(asked.end - asked.t0))
     if asked.digits is not None:
         return _solve_digits(system, asked, report)
-    result = _engine.solve(asked.for_core(system, name), part(report, 0.0, 0.2 if derived_by else 1.0))
+    result = _engine.solve(
+        asked.for_core(system, name), part(report, 0.0, 0.2 if derived_by else 1.0)
+    )
     run = trajectory_of(system, name, asked, result)
     return with_derivatives(run, derived_by, part(report, 0.2, 1.0))
 

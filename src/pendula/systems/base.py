@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import sys
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any, ClassVar, cast
 
 from pendula import _engine
@@ -200,9 +201,17 @@ class ClosedForm(System):
 def systems_that(
     can: Callable[[_engine.Capabilities], bool] = lambda _: True,
 ) -> list[_engine.SystemEntry]:
-    """The catalogue's systems of which there is a class here, with a capability; or all."""
+    """The systems that there is a class for, with a capability; or all.
+
+    Each stands there once, by its first name, with the parameters of its most general description.
+    """
     entries = _engine.system_entries()
-    return [entries[name] for name in entries if name in System.classes and can(entries[name].can)]
+    classes = [System.classes[name] for name in entries if name in System.classes]
+    return [
+        replace(entries[one.name], forms=entries[(one.name, *one.other_names)[-1]].forms)
+        for one in dict.fromkeys(classes)
+        if can(entries[one.name].can)
+    ]
 
 
 def class_names_that(can: Callable[[_engine.Capabilities], bool]) -> list[str]:

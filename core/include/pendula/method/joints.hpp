@@ -23,10 +23,11 @@ template <Piecewise Sys>
 double violation(const Sys& system, const head_and_tail<typename Sys::scalar>& t, const typename Sys::state& y) {
   const auto [torques, accelerations] = system.joints_at(t, y);
   const auto holding = system.holding();
+  const auto switching = system.switching();
   double most = 0.0;
   for (std::size_t j = 0; j < Sys::joints; ++j) {
     const double sense = rough(system.senses[j]);
-    if (rough(joint_velocity(y, static_cast<int>(j))) != 0.0) continue;
+    if (!switching[j] || rough(joint_velocity(y, static_cast<int>(j))) != 0.0) continue;
     const double beyond =
         sense == 0.0 ? std::fabs(rough(torques[j])) - rough(holding[j]) : -sense * rough(accelerations[j]);
     most = std::max(most, beyond);
