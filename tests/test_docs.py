@@ -119,7 +119,7 @@ def test_every_method_and_system_has_a_page(language: str, folder: str) -> None:
 @pytest.mark.parametrize("folder", ["methods", "systems"])
 def test_no_page_is_about_what_is_gone(folder: str) -> None:
     told = [Path(name).stem for name in TRANSLATED if name.startswith(f"{folder}/")]
-    assert told == sorted(CATALOGUE[folder])
+    assert sorted(told) == sorted(CATALOGUE[folder])
 
 
 @every_language

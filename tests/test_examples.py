@@ -33,7 +33,10 @@ def test_there_are_examples_and_the_documentation_tells_of_each() -> None:
         assert f"python examples/{example.name} " in page
 
 
-@pytest.mark.parametrize("example", ["parting.py", "near_the_separatrix.py"])
+@pytest.mark.parametrize(
+    "example",
+    ["parting.py", "near_the_separatrix.py", "decays.py", "kapitza.py", "period_doubling.py"],
+)
 def test_a_picture_is_the_same_file_each_time(example: str, tmp_path: Path) -> None:
     draw = runpy.run_path(str(ROOT / "examples" / example))["main"]
     for name in ("one.svg", "two.svg"):
