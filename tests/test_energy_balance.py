@@ -27,25 +27,27 @@ def test_a_chaotic_drive_balances_over_ten_thousand_periods() -> None:
     assert run.work[-1] > 5e4  # of which the heat is nearly all
 
 
+ALL = DrivenPendulum.body(
+    2.0,
+    0.3,
+    0.5,
+    9.81,
+    viscous=0.1,
+    quadratic=0.05,
+    cubic=0.01,
+    torque=0.8,
+    drive_frequency=3.0,
+    pivot_amplitude=0.02,
+    pivot_frequency=9.0,
+    pivot_direction=0.3,
+)
+
+
 @pytest.mark.parametrize("method", ["taylor", "dop853", "rk4"])
 def test_work_and_heat_are_the_integrals_of_the_powers(method: Any) -> None:
-    system = DrivenPendulum.body(
-        2.0,
-        0.3,
-        0.5,
-        9.81,
-        viscous=0.1,
-        quadratic=0.05,
-        cubic=0.01,
-        torque=0.8,
-        drive_frequency=3.0,
-        pivot_amplitude=0.02,
-        pivot_frequency=9.0,
-        pivot_direction=0.3,
-    )
     options: dict[str, Any] = {"step": 1e-3} if method == "rk4" else {}
-    run = solve(system, (1.0, 0.0), [0.0, 1.0, 2.0], method, **options)
-    dense = solve(system, (1.0, 0.0), 2.0)
+    run = solve(ALL, (1.0, 0.0), [0.0, 1.0, 2.0], method, **options)
+    dense = solve(ALL, (1.0, 0.0), 2.0)
 
     def integral(power: Any) -> float:
         return float(

@@ -159,6 +159,8 @@ def test_dry_friction_holds_a_release_from_rest() -> None:
     assert run.outcome == "reached_end"
     assert (run.states == run.states[0]).all()
     assert len(run.pieces.times) == 0
+    assert run.pieces.start.tolist() == [0.0]
+    assert run.n_steps == 1  # nothing will change
     assert solve(held, (0.21, 0.0), 10.0).states[-1, 0] != 0.21
 
 
@@ -188,7 +190,7 @@ JOINTS = [
 )
 def test_joints_slip_and_stick_by_the_rule(system: Any, start: Any) -> None:
     run = solve(system, start, 30.0)
-    times, states = run.pieces
+    times, states = run.pieces.times, run.pieces.states
     edges = np.concatenate([times, run.t[-1:]])
     for sense, begin, end in zip(states, edges, edges[1:], strict=False):
         inside = begin + (end - begin) * np.linspace(0.02, 0.98, 25)

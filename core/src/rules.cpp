@@ -29,10 +29,8 @@ std::span<const rule_row> rule_rows() {
        "del "
        "péndulo {system} no se separa",
        "los métodos simplécticos para él son {choices}"},
-      {"needs_conservative",
-       "{value} keeps to the energy of a pendulum without friction and drive; the {system} pendulum has them",
-       "methods for it are {choices}",
-       "{value} conserva la energía de un péndulo sin rozamiento ni fuerza externa; el péndulo {system} los tiene",
+      {"needs_conservative", "{value} is for pendulums without friction and drive, not for the {system} pendulum",
+       "methods for it are {choices}", "{value} es para péndulos sin rozamiento ni excitación, no para el péndulo {system}",
        "los métodos para él son {choices}"},
       {"needs_analytic", "{value} needs a system with a Taylor series, which the {system} pendulum does not have",
        "methods for it are {choices}",

@@ -6,122 +6,37 @@ Numpy is imported by the callers that make arrays, so that names, ranges and hel
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 from functools import cache
 from typing import TYPE_CHECKING, cast
 
 from pendula import _core
+from pendula._entries import (
+    Capabilities,
+    Component,
+    Form,
+    Method,
+    OptionRow,
+    Parameter,
+    RuleRow,
+    SystemEntry,
+)
 
 if TYPE_CHECKING:
-    from pendula._types import Array, MethodName
+    from pendula._types import Array
 
+
+__all__ = [  # of what is defined elsewhere
+    "Capabilities",
+    "Component",
+    "Form",
+    "Method",
+    "OptionRow",
+    "Parameter",
+    "RuleRow",
+    "SystemEntry",
+]
 
 Description = _core.Description
-
-
-@dataclass(frozen=True)
-class Parameter:
-    """A parameter of a system: name, SI unit, range and meaning.
-
-    Where it is left out it has its standard value, or that of the parameter `same_as`; with
-    neither it is required.
-    """
-
-    name: str
-    unit: str
-    standard: float | None
-    range: str  # positive, not_negative or any
-    meaning: str
-    same_as: str
-
-    @property
-    def needed(self) -> bool:
-        """Whether a value has to be named."""
-        return self.standard is None and not self.same_as
-
-
-@dataclass(frozen=True)
-class Component:
-    """A component of a state: name, SI unit, the start taken where none is named, and meaning."""
-
-    name: str
-    unit: str
-    standard: float
-    meaning: str
-
-
-@dataclass(frozen=True)
-class Form:
-    """One way to describe a system."""
-
-    name: str
-    meaning: str
-    parameters: tuple[Parameter, ...]
-
-
-@dataclass(frozen=True)
-class Capabilities:
-    """What a system is capable of.
-
-    Attributes:
-        conservative: its energy is constant.
-        autonomous: its equations do not depend on time.
-        closed_form: `exact` has its solution.
-        period: its motions have one, as a function of amplitude or state.
-        mapped: flip and divergence maps are made of it.
-        periodic: angles a whole turn apart are the same position; the equations take their sines.
-        degrees_of_freedom: how many angles it has.
-    """
-
-    conservative: bool
-    autonomous: bool
-    closed_form: bool
-    period: bool
-    mapped: bool
-    periodic: bool
-    degrees_of_freedom: int
-
-
-@dataclass(frozen=True)
-class SystemEntry:
-    """A system of the catalogue."""
-
-    name: str
-    components: tuple[Component, ...]
-    forms: tuple[Form, ...]
-    can: Capabilities
-
-    def form_index(self, form: str) -> int:
-        """Place of the form of that name."""
-        return next(i for i, each in enumerate(self.forms) if each.name == form)
-
-
-@dataclass(frozen=True)
-class Method:
-    """A method of the catalogue.
-
-    Attributes:
-        name: what `solve` takes.
-        order: of convergence.
-        evaluations_per_step: of the right-hand side; None: it iterates.
-        adaptive: whether it takes a tolerance instead of a step.
-        symplectic: whether a step preserves the symplectic form.
-        needs: the facet of a system that it needs.
-        systems: names of the systems it works for.
-        source: where it was published.
-        stability_polynomial: what a step makes of y' = λ y, coefficients of the powers of λ h from
-            the lowest on; empty where it is none.
-    """
-
-    name: MethodName
-    order: int
-    evaluations_per_step: int | None
-    adaptive: bool
-    symplectic: bool
-    needs: str
-    systems: tuple[str, ...]
-    source: str
-    stability_polynomial: tuple[float, ...]
 
 
 @cache
@@ -161,33 +76,6 @@ def method_named(name: str) -> Method:
     return next(each for each in methods() if each.name == name)
 
 
-@dataclass(frozen=True)
-class OptionRow:
-    """An option of a run.
-
-    Attributes:
-        name: of the argument.
-        unit: SI; empty: a pure number.
-        whole: whether it is a whole number.
-        least: of its range; 0: above 0.
-        most: of its range.
-        example: a value.
-        taken_by: which methods take it.
-        meaning: one phrase.
-        otherwise: what is done where it is not given.
-    """
-
-    name: str
-    unit: str
-    whole: bool
-    least: float
-    most: float
-    example: float
-    taken_by: str
-    meaning: str
-    otherwise: str
-
-
 @cache
 def option_rows() -> tuple[OptionRow, ...]:
     """The options of a run, in the core's order."""
@@ -197,16 +85,6 @@ def option_rows() -> tuple[OptionRow, ...]:
 def option_unit(name: str) -> str:
     """SI unit of an option of a run; empty: it has none, or is no such option."""
     return next((row.unit for row in option_rows() if row.name == name), "")
-
-
-@dataclass(frozen=True)
-class RuleRow:
-    """The sentences of a rule, after the argument's name, and the ways out: templates."""
-
-    english: str
-    way_out_in_english: str
-    spanish: str
-    way_out_in_spanish: str
 
 
 @cache

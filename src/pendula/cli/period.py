@@ -83,5 +83,5 @@ command = one_each(
     _options,
     _period,
     without="the {system} pendulum has no period as a function of amplitude; pendula solve "
-    "{system} gives its motion, normal_modes() in Python its small oscillations",
+    "{system} gives its motion",
 )

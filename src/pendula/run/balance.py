@@ -38,10 +38,12 @@ class Pieces(NamedTuple):
     Attributes:
         times: (k,) [s].
         states: which way each joint slips from then on, 1 or -1, or that it sticks, 0: (k, joints).
+        start: the same from the start of the run on, (joints,); empty: there is no such friction.
     """
 
     times: Array
     states: Array
+    start: Array
 
 
 def balance_of(run: Trajectory) -> EnergyBalance:

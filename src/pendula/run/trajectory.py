@@ -14,9 +14,10 @@ from pendula._messages import ArgumentError
 from pendula._tables import html_table
 from pendula.run.balance import EnergyBalance, Pieces, balance_of
 from pendula.run.closed_form import exact_states
+from pendula.run.facts import facts_of
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator, Mapping, Sequence
+    from collections.abc import Mapping, Sequence
     from os import PathLike
 
     import pandas as pd
@@ -143,7 +144,8 @@ class Trajectory:
     def pieces(self) -> Pieces:
         """When friction in a joint changed, and which way each slips from then on (1, -1, 0)."""
         found, joints = self._result_again.pieces, self.system.can.degrees_of_freedom
-        return Pieces(found.times, found.senses(joints))
+        times, states = found.times, found.senses(joints)
+        return Pieces(times[1:], states[1:], states[:1].ravel())
 
     @property
     def energy_error_name(self) -> str:
@@ -279,36 +281,7 @@ class Trajectory:
 
     def _repr_html_(self) -> str:
         """What a notebook shows: what was run, from where to where, and how well."""
-        return html_table(f"Trajectory by {self.method}", self._told())
-
-    def _told(self) -> Iterator[tuple[str, str]]:
-        """Names and values of what the run was and gave."""
-        import numpy as np
-
-        yield "system", repr(self.system)
-        span = f", t = {self.t[0]:g} … {self.t[-1]:g} s" if self.t.size else ""
-        yield "times", f"{self.t.size}{span}"
-        if self.states.ndim == 2:
-            for name, state in zip(
-                ("start", "end"), (self.request.state, *self.states[-1:]), strict=False
-            ):
-                pairs = zip(self.system.component_units.items(), state.tolist(), strict=True)
-                yield name, ", ".join(f"{each} = {x:.6g} {unit}" for (each, unit), x in pairs)
-        else:
-            yield "states", f"of shape {self.states.shape}"
-        yield "outcome", self.outcome
-        if self.n_steps:
-            yield "steps", f"{self.n_steps}, {self.n_evaluations} evaluations"
-        if self.t.size:
-            name = self.energy_error_name
-            with np.errstate(over="ignore", invalid="ignore"):  # of a run that blew up
-                yield f"largest {name}", f"{abs(self.energy_error).max():.2g}"
-        for event, crossings in zip(self.request.events, self.events, strict=False):
-            yield repr(event), f"{len(crossings.times)} times"
-        if self.trust_horizon is not None:
-            passed = math.isfinite(self.trust_horizon)
-            until = f"{self.trust_horizon:g} s" if passed else "the end"
-            yield "trusted until", until
+        return html_table(f"Trajectory by {self.method}", facts_of(self))
 
     def _half(self, which: int) -> Array:
         count = self.system.can.degrees_of_freedom

@@ -11,6 +11,7 @@ from pendula.systems.forms import SystemOfForms
 
 Pair = tuple[float, float]
 _NONE = (0.0, 0.0)
+_IN_JOINTS = ("viscous", "coulomb")
 
 
 class DampedDoublePendulum(SystemOfForms):
@@ -92,6 +93,11 @@ class DampedDoublePendulum(SystemOfForms):
                 rule = "must be two numbers, of the pivot and of the joint, got {value}"
                 raise ArgumentError(name, rule, value=pair)
         return cls(ideal.form, (*ideal.values, *viscous, *coulomb))
+
+    def _named(self) -> dict[str, object]:
+        ideal = {name: x for name, x in self.parameters.items() if name[:-1] not in _IN_JOINTS}
+        pairs = {name: getattr(self, name) for name in _IN_JOINTS}
+        return {**ideal, **{name: pair for name, pair in pairs.items() if any(pair)}}
 
     @property
     def viscous(self) -> Pair:

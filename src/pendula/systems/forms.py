@@ -75,5 +75,13 @@ class SystemOfForms(System):
         return self.parameters[name]
 
     def __repr__(self) -> str:
-        arguments = ", ".join(f"{name}={value!r}" for name, value in self.parameters.items())
+        arguments = ", ".join(f"{name}={value!r}" for name, value in self._named().items())
         return f"{type(self).__name__}.{self.form}({arguments})"
+
+    def _named(self) -> dict[str, object]:
+        """The parameters, without friction and drive that there is none of."""
+        return {
+            row.name: value
+            for row, value in zip(self._rows(), self.values, strict=True)
+            if value != row.standard or (row.standard != 0.0 and row.range != "any")
+        }

@@ -48,12 +48,12 @@ class adaptive_run {
     for (;;) {
       if (result.steps == step_limit) return ended(result, outcome::step_limit);
       stepper_.expand({time_.head[0], time_.tail[0]}, direction_);
-      mend_joints(consumer);
+      mend_joints(result.steps == 0, consumer);
       const auto next = stepper_.at_end();
       if (!all_finite(next.head) || !countable() || stands_still()) return ended(result, outcome::not_finite);
       ++result.steps;
       const S left = since_step(end_);
-      bool last = !(direction_ * rough(stepper_.length()) < direction_ * rough(left));
+      bool last = rests_for_good() || !(direction_ * rough(stepper_.length()) < direction_ * rough(left));
       S stop = last ? left : S(stepper_.length());
       const bool piece_ends = ends_piece(stop);
       last = last && !piece_ends;
@@ -112,9 +112,19 @@ class adaptive_run {
 
   // The pieces of a motion with friction.
   template <class Consumer>
-  void mend_joints(Consumer& consumer) {
+  void mend_joints(bool at_start, Consumer& consumer) {
     if constexpr (Piecewise<System>)
-      if (pieces_.mended(stepper_, now(), direction_)) report_joints(consumer);
+      if (pieces_.mended(stepper_, now(), direction_) || (at_start && pieces_.follows(stepper_)))
+        report_joints(consumer);
+  }
+  // Whether dry friction holds it, and nothing will change that.
+  bool rests_for_good() const {
+    if constexpr (Piecewise<System>) {
+      const auto& senses = stepper_.joints().senses;
+      return !stepper_.of().driven() && std::ranges::all_of(senses, [](const S& sense) { return rough(sense) == 0.0; });
+    } else {
+      return false;
+    }
   }
   bool ends_piece(S& stop) {
     if constexpr (Piecewise<System>) {

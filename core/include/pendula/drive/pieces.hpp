@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <optional>
 
 #include "pendula/method/joints.hpp"
@@ -56,6 +57,9 @@ class piece_follower<Stepper> {
   using state = typename Stepper::state;
   static constexpr int joints = System::joints;
 
+  // Whether there is anything to follow.
+  static bool follows(const Stepper& stepper) { return std::ranges::any_of(stepper.of().switching(), std::identity{}); }
+
   // The step that the stepper stands in, at time t: where a joint at rest moves off against its sense, as it does when
   // its acceleration is zero at first, the sense is mended and the step worked out again. True: it was.
   bool mended(Stepper& stepper, const head_and_tail<S>& t, double direction) {
@@ -63,7 +67,8 @@ class piece_follower<Stepper> {
     auto joints_then = stepper.joints();
     for (int j = 0; j < joints; ++j) {
       const double sense = rough(joints_then.senses[j]);
-      if (!stepper.of().switching()[j] || sense == 0.0 || !rests(stepper, j)) continue;
+      const bool unsure = rough(joints_then.resting[j]) == 1.0;
+      if (!stepper.of().switching()[j] || sense == 0.0 || !unsure) continue;
       if (leaves_along(velocity_polynomial(stepper, j), sense)) continue;
       const bool sticks = rough(stepper.of().holding()[j]) > 0.0;
       joints_then.senses[j] = S(sticks ? 0.0 : -sense);
@@ -78,14 +83,15 @@ class piece_follower<Stepper> {
   // How far after the start of the step, at time t, the piece ends; none: not within it.
   std::optional<S> end_in_step(const Stepper& stepper, const head_and_tail<S>& t) {
     std::optional<S> first;
-    leaving_ = {};
     for (int j = 0; j < joints; ++j) {
       if (!stepper.of().switching()[j]) continue;
+      double leaving = 0.0;
       const bool slips = rough(stepper.of().senses[j]) != 0.0;
-      const std::optional<S> found = slips ? turns(stepper, j) : breaks_loose(stepper, t, j);
+      const std::optional<S> found = slips ? turns(stepper, j) : breaks_loose(stepper, t, j, leaving);
       if (!found || (first && !(std::fabs(rough(*found)) < std::fabs(rough(*first))))) continue;
       first = found;
       joint_ = j;
+      leaving_ = leaving;
     }
     return first;
   }
@@ -100,8 +106,9 @@ class piece_follower<Stepper> {
     for (int j = 0; j < joints; ++j) {
       const bool rests = j == joint_ || (stepper.of().switching()[j] && rough(before.senses[j]) == 0.0);
       if (rests) y = stepper.of().with_joint_at_rest(y, j);
-      now.resting[j] = S(rests ? 1.0 : 0.0);
-      given[j] = j == joint_ && leaving_ != 0.0 ? leaving_ : __builtin_nan("");
+      const bool leaves = j == joint_ && leaving_ != 0.0;
+      now.resting[j] = S(leaves ? 2.0 : rests ? 1.0 : 0.0);
+      given[j] = leaves ? leaving_ : __builtin_nan("");
     }
     now.senses = senses_at(stepper.of(), t, y, given);
     at.head = stepper.head_of(y);
@@ -152,8 +159,8 @@ class piece_follower<Stepper> {
                     [&](const S& tau) { return detail::joint_velocity(stepper.state_of(stepper.after(tau)), j); });
   }
 
-  // Where the torque on a stuck joint passes what holds it.
-  std::optional<S> breaks_loose(const Stepper& stepper, const head_and_tail<S>& t, int j) {
+  // Where the torque on a stuck joint passes what holds it, and which way the joint goes from there.
+  static std::optional<S> breaks_loose(const Stepper& stepper, const head_and_tail<S>& t, int j, double& leaving) {
     constexpr int parts = 8;  // of the step, each at most a radian of the fastest oscillation: stepper.length()
     const double length = rough(stepper.length());
     const S holding = stepper.of().holding()[j];
@@ -168,10 +175,10 @@ class piece_follower<Stepper> {
         for (int i = 0; i < 9; ++i) left[i] = rough(holding) - side * values[i];
         const polynomial p = detail::through(left);
         const double noise = 0x1p-46 * (rough(holding) + p.reach(1.0));
-        const bool at_once = p.coefficient[0] <= noise && !leaves_along(p, 1.0);
+        const bool at_once = p.coefficient[0] <= 0.0 && !leaves_along(p, 1.0);
         const double x = at_once ? 0.0 : detail::first_fall(p, noise);
         if (x > 1.0) continue;
-        leaving_ = side;
+        leaving = side;
         const double slope = -side * p.slope(x) * parts / length;
         return at_once ? S(part * length / parts)
                        : polished(S((part + x) / parts * length), S(slope), length,
@@ -195,8 +202,8 @@ class piece_follower<Stepper> {
     return tau;
   }
 
-  int joint_ = 0;
-  double leaving_ = 0.0;
+  int joint_ = 0;         // whose state changes at the end of the piece
+  double leaving_ = 0.0;  // which way it goes, where it breaks loose
 };
 
 }  // namespace pendula::inline PENDULA_MACHINE

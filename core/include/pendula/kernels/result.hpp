@@ -28,8 +28,8 @@ struct crossings {
   std::vector<double> times, states;
 };
 
-// Times (k,) at which friction in a joint changed, and which way each of the joints slips from then on, (k, joints): 1,
-// −1, or 0 where it sticks.
+// Which way each of the joints slips from the start and from the times at which friction in one changed, (k,) and
+// (k, joints): 1, −1, or 0 where it sticks. Empty for systems without such friction.
 struct motion_pieces {
   std::vector<double> times, senses;
 };

@@ -36,7 +36,8 @@ struct receiver {
   // An output, by its place among them; false ends the run.
   virtual bool output(std::size_t place, double t, const double* y) = 0;
   virtual void event(int place, double t, const double* y) = 0;
-  // Friction in the joints changed at that time: which way each slips from then on, 1 or −1, or 0: it sticks.
+  // Which way each joint slips from that time on, the start's and then each at which friction in one changes: 1 or −1,
+  // or 0: it sticks.
   virtual void piece(double, std::span<const double>) {}
   virtual bool step(const step_motion&) = 0;  // of an adaptive method; false ends the run
   virtual bool go_on(double t) = 0;           // asked every few milliseconds

@@ -260,22 +260,9 @@ class dop853_stepper {
   polynomial component_polynomial(std::size_t i) const {
     if (!dense_known_) find_dense();
     extra_evaluations_ = S(3.0);
-    polynomial p;
-    p.coefficient[0] = dense_[6][i];
-    const auto times_x = [&p] {
-      for (int k = ++p.degree; k > 0; --k) p.coefficient[k] = p.coefficient[k - 1];
-      p.coefficient[0] = 0.0;
-    };
-    for (int j = 5; j >= 0; --j) {
-      const polynomial q = p;
-      times_x();
-      if (j % 2 == 0)
-        for (int k = 0; k <= p.degree; ++k) p.coefficient[k] = q.coefficient[k] - p.coefficient[k];
-      p.coefficient[0] += dense_[j][i];
-    }
-    times_x();
-    p.coefficient[0] = now_.at.head[i];
-    return p;
+    std::array<double, 7> coefficients;
+    for (std::size_t j = 0; j < coefficients.size(); ++j) coefficients[j] = dense_[j][i];
+    return dense_polynomial(now_.at.head[i], coefficients);
   }
 
   template <Energetic>

@@ -8,6 +8,7 @@
 #include "pendula/method/dop853_tableau.hpp"
 #include "pendula/method/joints.hpp"
 #include "pendula/scalar/machine.hpp"
+#include "pendula/scalar/polynomial_roots.hpp"
 
 namespace pendula::inline PENDULA_MACHINE {
 
@@ -20,6 +21,26 @@ PENDULA_INLINE typename Sys::state slope_of(const Sys& system, const typename Sy
   } else {
     return system.rhs(t, y);
   }
+}
+
+// y + x (d0 + (1 − x) (d1 + x (d2 + …))) in powers of x (dop853.f: contd8).
+inline polynomial dense_polynomial(double y, const std::array<double, 7>& d) {
+  polynomial p;
+  p.coefficient[0] = d[6];
+  const auto times_x = [&p] {
+    for (int k = ++p.degree; k > 0; --k) p.coefficient[k] = p.coefficient[k - 1];
+    p.coefficient[0] = 0.0;
+  };
+  for (int j = 5; j >= 0; --j) {
+    const polynomial q = p;
+    times_x();
+    if (j % 2 == 0)
+      for (int k = 0; k <= p.degree; ++k) p.coefficient[k] = q.coefficient[k] - p.coefficient[k];
+    p.coefficient[0] += d[static_cast<std::size_t>(j)];
+  }
+  times_x();
+  p.coefficient[0] = y;
+  return p;
 }
 
 template <SecondOrder Sys>

@@ -76,7 +76,8 @@ template <Piecewise Sys>
 struct joints_of<Sys> {
   using S = typename Sys::scalar;
 
-  vec<S, Sys::joints> senses, resting;  // resting: 1 for a joint at rest just now, else 0
+  vec<S, Sys::joints> senses;
+  vec<S, Sys::joints> resting;  // 1 for a joint at rest just now, 2 where it is known which way it goes, else 0
 
   void start(Sys& system, const S& t, const typename Sys::state& y) {
     std::array<double, Sys::joints> open;

@@ -73,6 +73,7 @@ struct damped_double_pendulum {
 
     vec<S, 2> holding() const { return coulomb; }
     std::array<bool, 2> switching() const { return {present(coulomb[0]), present(coulomb[1])}; }
+    bool driven() const { return false; }
     // In the coordinates θ1 and θ2 − θ1, on whose velocities friction acts, the mass matrix is n11, n12, n12, n22.
     joint_motion<S, 2> joints_at(const head_and_tail<S>&, const state& y) const {
       const parts at = parts_of(y);

@@ -48,7 +48,7 @@ struct driven_pendulum {
       parameter{"q", "", to_be_named, range::positive, "quality factor: the friction is ω/q"},
       parameter{"a", "", to_be_named, range::any, "amplitude of the drive"},
       parameter{"drive_frequency", "", to_be_named, range::not_negative, "angular frequency of the drive"},
-      parameter{"drive_phase", "", 0.0, range::any, "phase of the drive at t = 0"}};
+      parameter{"drive_phase", "rad", 0.0, range::any, "phase of the drive at t = 0"}};
   static constexpr std::array forms{form{"bob", "point mass on a massless rod", bob},
                                     form{"body", "rigid body about a pivot", body},
                                     form{"scaled", "without units, θ̈ + θ̇/q + sin θ = a cos(Ω t + φ)", scaled}};
@@ -117,6 +117,7 @@ struct driven_pendulum {
       const S torque = smooth_torque(t, y), moving = senses[0] * senses[0];
       return {{torque}, {moving * (torque - senses[0] * (coulomb + quadratic * (y[1] * y[1])))}};
     }
+    bool driven() const { return present(drive.amplitude) || present(pivot.amplitude); }
     // Which of its terms are there.
     std::array<bool, 5> terms() const {
       return {present(viscous), present(quadratic), present(cubic), present(drive.amplitude), present(pivot.amplitude)};
