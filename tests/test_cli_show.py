@@ -153,6 +153,16 @@ def test_a_comparison_is_shown(call: Call, ending: str) -> None:
     assert "\nrk4 " in shown
 
 
+@pytest.mark.parametrize("ending", ["csv", "json"])
+def test_events_are_shown(call: Call, ending: str) -> None:
+    call(f"solve double --t-max 9s --event 'velocity-zero 1' --events-file found.{ending}")
+    shown = quiet(call, f"show found.{ending}")
+    assert shown.startswith("events of a run\n")
+    assert "method: taylor" in shown
+    assert "\nvelocity-zero 1  " in shown
+    assert max(map(len, shown.splitlines())) <= 80
+
+
 @pytest.mark.parametrize(
     ("line", "told"),
     [

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import math
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
@@ -230,7 +231,7 @@ def _recipe(found: Held, given: dict[str, Any]) -> Drawing:
     return None if given["row"] is None else _row(asked, given["row"], given)
 
 
-# ---- ensembles, comparisons ----
+# ---- ensembles, tables ----
 
 
 def _ensemble(found: Held, given: dict[str, Any]) -> Drawing:
@@ -249,23 +250,14 @@ def _ensemble(found: Held, given: dict[str, Any]) -> Drawing:
     return None
 
 
-def _comparison(found: Held, given: dict[str, Any]) -> Drawing:
-    import csv
-    import json
-    from pathlib import Path
+def _table(found: Held, given: dict[str, Any]) -> Drawing:
+    from pendula.cli.shown import rows_of
 
-    told = {name: each for name, each in found.known.items() if name != "rows"}
-    click.echo("comparison of methods")
-    for name, each in told.items():
-        click.echo(f"{name}: {each if isinstance(each, str) else json.dumps(each)}")
-    if found.ending == ".json":
-        rows = [list(map(str, each.values())) for each in found.known["rows"]]
-        header = list(found.known["rows"][0]) if found.known["rows"] else []
-    else:
-        with Path(found.path).open(encoding="utf-8-sig", newline="") as file:
-            file.readline()
-            header, *rows = list(csv.reader(file))
-    click.echo(f"\n{table(header, rows)}")
+    _say({"comparison": "comparison of methods", "events": "events of a run"}[found.kind])
+    for name, each in found.known.items():
+        if name != "rows":
+            _say(f"{name}: {each if isinstance(each, str) else json.dumps(each)}")
+    click.echo(f"\n{table(*rows_of(found))}")
     return None
 
 
@@ -275,7 +267,8 @@ _SHOWN: dict[str, Callable[[Held, dict[str, Any]], Drawing]] = {
     "sweep": _sweep,
     "recipe": _recipe,
     "ensemble": _ensemble,
-    "comparison": _comparison,
+    "comparison": _table,
+    "events": _table,
 }
 
 command = click.Command(
