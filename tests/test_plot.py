@@ -221,3 +221,13 @@ def test_without_matplotlib_one_line_says_what_to_install(monkeypatch: pytest.Mo
     monkeypatch.setitem(sys.modules, "matplotlib", None)
     with pytest.raises(ImportError, match=re.escape(how_to_install("report"))):
         plot.phase_portrait(SIMPLE, (0.1,))
+
+
+@pytest.mark.parametrize("amplitude", [0.6, 1.7, 4.5, 8, 27, 44, 80, 100, 179])
+def test_a_phase_portrait_tells_its_scale(amplitude: float) -> None:
+    """Three angles at least, and no more than there is room for."""
+    run = solve(SIMPLE, (np.radians(amplitude), 0.0), 6.0)
+    figure = plot.trajectory(run)
+    (plane,) = (ax for ax in figure.axes if "rad/s" in ax.get_ylabel())
+    low, high = plane.get_xlim()
+    assert 3 <= sum(low <= each <= high for each in plane.get_xticks()) <= 5

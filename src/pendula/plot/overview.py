@@ -155,7 +155,7 @@ def _plane(ax: Axes, run: Trajectory, words: Labels) -> None:
         ax.plot(theta, run.omega, **style)
         ax.set_xlabel(words.axis["angle"])
         ax.set_ylabel(words.axis["rate"])
-        degree_ticks(ax, "x", 2 * float(np.nanmin(theta)), 2 * float(np.nanmax(theta)))
+        degree_ticks(ax, "x", float(np.nanmin(theta)), float(np.nanmax(theta)), most=5)
         return
     tip = run.system.positions(run.states)[:, -1]
     ax.plot(tip[:, 0], tip[:, 1], **style)
