@@ -210,7 +210,7 @@ def _power_of_ten(x: float, _: int) -> str:
 
 
 def degree_ticks(ax: Axes, axis: str, low: float, high: float, most: int = 7) -> None:
-    """Put at most so many ticks of an angle axis [°] on parts of a turn, where the range allows it."""
+    """Put at most so many ticks of an angle axis [°] on parts of a turn, if the range allows."""
     from matplotlib.ticker import MultipleLocator
 
     span = high - low
