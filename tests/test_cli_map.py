@@ -170,6 +170,7 @@ def test_a_picture_in_the_way_of_going_on(call: Call) -> None:
         (f"{FLIP} --length 3m", "No such option"),
         (f"{FLIP} --c1 3m", "--c1 goes with"),
         (f"{FLIP} -o flips.csv", "--output must end in .zarr or .nc, got 'flips.csv'"),
+        (f"{FLIP} -o flips.png", "got 'flips.png'; for a picture name --picture flips.png"),
         (f"{FLIP} -o no/flips.zarr", "is not a folder; make it first"),
         (f"{FLIP} -o no/flips.nc", "is not a folder; make it first"),
         (f"{FLIP} --theta1=-180:180", "--theta1 needs a unit, got '-180'; write -180deg"),

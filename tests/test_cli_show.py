@@ -45,7 +45,7 @@ def test_a_trajectory_is_shown_as_when_it_was_made(call: Call, ending: str) -> N
     shown = quiet(call, f"show run.{ending} --picture run.png")
     assert shown.startswith("trajectory of DoublePendulum.rods(m1=1.0")
     assert "at t = 0 s: theta1 = 2.0944 rad" in shown
-    assert made in shown
+    assert made.replace("shown; -o FILE writes all", "shown; --all prints all") in shown
     assert shown.endswith("\nrun.png\n")
     assert Path("run.png").read_bytes().startswith(b"\x89PNG")
 
@@ -55,6 +55,8 @@ def test_events_backward_runs_and_exact_ones_are_shown(call: Call) -> None:
     assert "flip 2: 4 times" in quiet(call, "show a.csv")
     exact(SimplePendulum(), [(0.1, 0.0), (1.0, 0.0)], [0.0, 1.0]).save("b.nc")
     assert quiet(call, "show b.nc").startswith("2 exact solutions of SimplePendulum(")
+    exact(SimplePendulum(), np.full((2, 3, 2), 0.1), [0.0, 1.0]).save("c.nc")
+    assert quiet(call, "show c.nc").startswith("6 exact solutions of SimplePendulum(")
     code, _, told = call("show b.nc --picture b.png")
     assert (code, "--picture draws trajectories, maps and sweeps" in told) == (2, True)
 
@@ -149,6 +151,16 @@ def test_a_comparison_is_shown(call: Call, ending: str) -> None:
     assert shown.startswith("comparison of methods\n")
     assert "reference: exact" in shown
     assert "\nrk4 " in shown
+
+
+@pytest.mark.parametrize("ending", ["csv", "json"])
+def test_events_are_shown(call: Call, ending: str) -> None:
+    call(f"solve double --t-max 9s --event 'velocity-zero 1' --events-file found.{ending}")
+    shown = quiet(call, f"show found.{ending}")
+    assert shown.startswith("events of a run\n")
+    assert "method: taylor" in shown
+    assert "\nvelocity-zero 1  " in shown
+    assert max(map(len, shown.splitlines())) <= 80
 
 
 @pytest.mark.parametrize(

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -13,7 +14,8 @@ import click
 import pytest
 
 from commands import unfolded
-from pendula.cli import app
+from pendula import DoublePendulum, SimplePendulum, ensemble, exact, flip_map, solve
+from pendula.cli import animate, app
 from pendula.cli.tables import paragraph, table
 
 if TYPE_CHECKING:
@@ -33,6 +35,17 @@ def paths(command: click.Command, path: tuple[str, ...] = ()) -> Iterator[tuple[
 
 
 EVERY = list(paths(app._pendula))
+BODIES = DoublePendulum.bodies(1.2, 0.7, 1 / 3, 1 / 7, 1 / 3, 1 / 70, 1 / 60)
+WRITTEN = {
+    "run.nc": lambda: solve(BODIES, (1 / 3, -1 / 7, -1e-9, 1 / 70), 2.0).save("run.nc"),
+    "many.nc": lambda: ensemble(BODIES, [(0.1, 0.2, 0.0, 0.0)] * 3, 1.0).save("many.nc"),
+    "grid.nc": lambda: exact(SimplePendulum(1 / 3, 1 / 7, 1 / 70), [(0.1, 0.2)] * 3, 1.0).save(
+        "grid.nc"
+    ),
+    "map.nc": lambda: flip_map(BODIES, (0, 1 / 3), (0, 1 / 7), (3, 3), 1 / 3).to_netcdf(
+        "map.nc", engine="h5netcdf"
+    ),
+}
 
 
 @pytest.mark.parametrize("path", EVERY, ids=" ".join)
@@ -61,11 +74,18 @@ def test_help_fits_and_is_not_cut(path: tuple[str, ...], call: Call) -> None:
         "map flip double --size 3 --t-max 0.1s",
         "map divergence double --size 3 --t-max 0.1s",
         "sweep rows.toml -o rows.parquet",
+        "show run.nc",
+        "show many.nc",
+        "show grid.nc",
+        "show map.nc",
+        "show rows.toml --row 0",
     ],
 )
 def test_80_columns_hold_what_is_printed(line: str, call: Call) -> None:
     recipe = '[system]\nkind = "simple"\n[state]\ntheta = {list = ["1 rad", "1e9 rad"]}\n'
     Path("rows.toml").write_text(f'{recipe}[run]\nt_max = "1 s"\n')
+    for name in re.findall(r"\w+\.nc", line):
+        WRITTEN[name]()
     code, printed, _ = call(line)
     assert code == 0
     assert max(map(len, printed.splitlines())) <= 80
@@ -135,6 +155,10 @@ def completed(words: str, **environment: str) -> list[str]:
         ("pendula so", ["solve"]),
         ("pendula solve ", ["linear", "simple", "double"]),
         ("pendula exact d", []),
+        ("pendula animate ", list(animate.command.commands)),
+        ("pendula animate do", ["double"]),
+        ("pendula animate run", ["run"]),
+        ("pendula animate run.csv --sp", ["--speed"]),
         ("pendula solve simple --t-m", ["--t-max"]),
         ("pendula solve double --method gau", ["gauss4", "gauss6", "gauss8"]),
         ("pendula map flip double --theta", ["--theta1", "--theta2"]),

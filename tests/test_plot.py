@@ -30,6 +30,7 @@ from pendula.plot.style import line
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
+    from pendula._types import MethodName
     from pendula.systems import System
 
 T = np.linspace(0.0, 4.0, 201)
@@ -221,3 +222,30 @@ def test_without_matplotlib_one_line_says_what_to_install(monkeypatch: pytest.Mo
     monkeypatch.setitem(sys.modules, "matplotlib", None)
     with pytest.raises(ImportError, match=re.escape(how_to_install("report"))):
         plot.phase_portrait(SIMPLE, (0.1,))
+
+
+@pytest.mark.parametrize("amplitude", [0.6, 1.7, 4.5, 8, 27, 44, 80, 100, 179])
+def test_a_phase_portrait_tells_its_scale(amplitude: float) -> None:
+    """Three angles at least, and no more than there is room for."""
+    run = solve(SIMPLE, (np.radians(amplitude), 0.0), 6.0)
+    figure = plot.trajectory(run)
+    (plane,) = (ax for ax in figure.axes if "rad/s" in ax.get_ylabel())
+    low, high = plane.get_xlim()
+    assert 3 <= sum(low <= each <= high for each in plane.get_xticks()) <= 5
+
+
+@pytest.mark.parametrize("method", ["taylor", "dop853"])
+def test_lines_follow_the_motion_between_the_steps(method: MethodName) -> None:
+    """Where the outputs are the few steps of an adaptive method, straight lines would be seen."""
+    run = solve(SIMPLE, (0.08, 0.0), -6.0, method)
+    angle, energy, plane = plot.trajectory(run).axes
+    (line_over_time,), (orbit,) = angle.get_lines(), plane.get_lines()
+    times, shown = np.asarray(line_over_time.get_data())
+    assert np.isin(run.t, times).all()
+    truth = np.degrees(exact(SIMPLE, (0.08, 0.0), times).theta)
+    assert abs(shown - truth).max() < 1e-9
+    assert abs(np.diff(shown, 2)).max() < 0.01 * np.ptp(shown)
+    assert abs(np.diff(np.asarray(orbit.get_xdata()), 2)).max() < 0.01 * np.ptp(shown)
+    assert np.size(energy.get_lines()[0].get_xdata()) == run.t.size
+    asked = solve(SIMPLE, (0.08, 0.0), T, method)
+    assert np.size(plot.trajectory(asked).axes[0].get_lines()[0].get_xdata()) == T.size

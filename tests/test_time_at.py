@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from hypothesis import assume, given, settings
+from hypothesis import assume, example, given, settings
 from hypothesis import strategies as st
 from mpmath import mp, mpf
 
@@ -118,6 +118,7 @@ def test_the_separatrix_by_the_gudermannian() -> None:
 @pytest.mark.filterwarnings("ignore::pendula.DegreesWarning")
 @settings(max_examples=100)
 @given(st.floats(-9, 9), st.floats(-9, 9), st.floats(-12, 12))
+@example(1e-290, -1.0, 0.0)
 def test_the_linear_pendulum(theta: float, omega: float, target: float) -> None:
     """From R sin φ on to R sin φ = target, by the larger of the two angles that has it."""
     assume(theta != target)
@@ -133,6 +134,16 @@ def test_the_linear_pendulum(theta: float, omega: float, target: float) -> None:
             waits = [(each - phase) % (2 * mp.pi) for each in (angle, mp.pi - angle)]
             want = min(waits) / wn
         assert in_ulps(time_at(system, (theta, omega), target), want) <= 1
+
+
+@pytest.mark.parametrize("system", [UNIT, LinearPendulum(1.0, 1.0)])
+@pytest.mark.parametrize("small", [1e-30, 1e-100, 1e-290])
+def test_small_angles_one_after_the_other(system: Any, small: float) -> None:
+    """Next to the bottom θ = ω t to all digits, downwards as upwards."""
+    for speed in (1.0, -1.0):
+        states = [(-small * speed, speed), (0.0, speed), (0.0, speed)]
+        waits = time_at(system, states, [0.0, small * speed, 2 * small * speed])
+        assert waits.tolist() == [small, small, 2 * small]
 
 
 def test_states_and_angles_broadcast() -> None:

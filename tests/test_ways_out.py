@@ -35,6 +35,7 @@ from refusals import told
 if TYPE_CHECKING:
     from collections.abc import Callable
 
+    from commands import Call
 
 SIMPLE, RODS = SimplePendulum(), DoublePendulum.rods()
 START = (2.0, 2.5, 0.0, 0.0)
@@ -53,6 +54,41 @@ def test_a_rod_that_there_is_none_of(made: Callable[..., Event], i: object) -> N
 def test_a_rod_may_be_any_whole_number_type() -> None:
     whole: Any = np.int64(2)
     assert flip(whole) == flip(2)
+
+
+# ---- files ----
+
+
+@pytest.mark.parametrize(
+    ("name", "kind", "way"),
+    [
+        ("map.zarr", "map", "xarray.open_zarr"),
+        ("map.nc", "map", "xarray.open_dataset"),
+        ("many.nc", "ensemble", "xarray.open_dataset"),
+        ("many.csv", "ensemble", 'pandas.read_csv(…, comment="#")'),
+        ("rows.parquet", "sweep", "pandas.read_parquet"),
+        ("rows.zarr", "sweep", "xarray.open_zarr"),
+        ("found.csv", "events", 'pandas.read_csv(…, comment="#")'),
+        ("costs.csv", "comparison", 'pandas.read_csv(…, comment="#")'),
+    ],
+)
+def test_a_file_of_another_kind_is_named_with_what_reads_it(
+    name: str, kind: str, way: str, tmp_path: Path, call: Call
+) -> None:
+    path = tmp_path / name
+    if kind == "map":
+        call(f"map flip double --size 3 --t-max 0.1s -o {path}")
+    elif kind == "comparison":
+        call(f"compare simple --t-max 1s --points 2 -o {path}")
+    elif kind == "events":
+        call(f"solve simple --t-max 9s --event 'velocity-zero 1' --events-file {path}")
+    elif kind == "ensemble":
+        ensemble(SIMPLE, [(0.1, 0.2)] * 3, 1.0).save(path)
+    else:
+        pendula.sweep(RECIPE, path)
+    held = {"ensemble": "an ensemble", "events": "events"}.get(kind, f"a {kind}")
+    said = f"{path} holds {held}, not a trajectory; read it with {way}"
+    assert told(lambda: load(path)) == said
 
 
 # ---- systems ----

@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
+from click.shell_completion import CompletionItem
 
 from pendula import _engine
 from pendula.cli.groups import ChoiceGroup, MethodChoice, one_each
@@ -37,6 +38,8 @@ class _FilesOrSystem(ChoiceGroup):
 
     def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
         """Send files to the subcommand for them."""
+        if ctx.resilient_parsing and not args:  # as a shell's completion parses
+            return super().parse_args(ctx, args)
         systems = [name for name in self.commands if name != _FILES]
         if not args:
             ctx.fail(f"name a file of a trajectory, or a system: {', '.join(systems)}")
@@ -46,6 +49,11 @@ class _FilesOrSystem(ChoiceGroup):
         if not first.startswith("-") and not Path(first).suffix and not Path(first).exists():
             ctx.fail(f"no file and no system {first!r}; the systems are {', '.join(systems)}")
         return super().parse_args(ctx, [_FILES, *args])
+
+    def shell_complete(self, ctx: click.Context, incomplete: str) -> list[CompletionItem]:
+        """The systems; files where none begins so."""
+        found = super().shell_complete(ctx, incomplete)
+        return found or [CompletionItem(incomplete, type="file")]
 
 
 def _picture_options() -> list[click.Parameter]:

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from pendula.cli.map_picture import checked_map_picture, draw_map
+from pendula.cli.pictures import ENDINGS
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -32,7 +33,8 @@ def check_targets(given: dict[str, Any]) -> tuple[str | None, Path | None]:
     installed("xarray", "io")
     ending = None if out is None else Path(out).suffix
     if ending not in (None, ".zarr", ".nc"):
-        raise ValueError(f"--output must end in .zarr or .nc, got {Path(out).name!r}")
+        hint = f"; for a picture name --picture {out}" if ending in ENDINGS else ""
+        raise ValueError(f"--output must end in .zarr or .nc, got {Path(out).name!r}{hint}")
     if given["resume"] and ending != ".zarr":
         raise click.UsageError("--resume needs a .zarr store: -o map.zarr")
     if ending == ".nc":

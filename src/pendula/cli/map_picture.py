@@ -21,13 +21,15 @@ def look_options() -> list[click.Parameter]:
         click.Option(
             ["--colormap"],
             metavar="NAME",
-            help="colors of the picture, as matplotlib names them [default: inferno]",
+            help="colors of a map, as matplotlib names them [default: inferno]",
         ),
-        click.Option(["--title"], metavar="TEXT", help="title of the picture [default: none]"),
+        click.Option(
+            ["--title"], metavar="TEXT", help="title of the picture of a map [default: none]"
+        ),
         click.Option(
             ["--ticks"],
             type=click.Choice(["degrees", "pi"]),
-            help="angles of the picture in degrees or parts of pi [default: degrees]",
+            help="angles of a map in degrees or parts of pi [default: degrees]",
         ),
     ]
 

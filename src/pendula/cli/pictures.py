@@ -10,7 +10,7 @@ import click
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-_ENDINGS = (".png", ".svg", ".pdf")
+ENDINGS = (".png", ".svg", ".pdf")
 _FEWEST, _MOST = 20, 4800  # dots an inch: a picture of 128 pixels, and one of 30 000
 
 
@@ -69,10 +69,8 @@ def checked_picture(given: dict[str, Any]) -> Path | None:
             raise ValueError("--dpi goes with --picture; name the picture")
         return None
     picture = Path(given["picture"])
-    if picture.suffix.lower() not in _ENDINGS:
-        raise ValueError(
-            f"--picture must end in one of {', '.join(_ENDINGS)}, got {str(picture)!r}"
-        )
+    if picture.suffix.lower() not in ENDINGS:
+        raise ValueError(f"--picture must end in one of {', '.join(ENDINGS)}, got {str(picture)!r}")
     _check_dpi(given["dpi"], picture)
     installed("matplotlib", "report")
     if given.get("resume") and picture.exists():  # --force would overwrite the store

@@ -133,8 +133,8 @@ def _why(run: Trajectory, t_max: float) -> str:
     return _DID_NOT_SETTLE if run.method in iterated else _GREW
 
 
-def deliver(run: Trajectory, out: Path | None, *, force: bool, every_row: bool = False) -> None:
-    """Write a run, or print some of its rows."""
+def deliver(run: Trajectory, out: Path | None, *, force: bool, **shown: Any) -> None:
+    """Write a run, or print some of its rows; `shown` are options of `tables.show`."""
     import numpy as np
 
     from pendula.cli.events import found
@@ -142,7 +142,7 @@ def deliver(run: Trajectory, out: Path | None, *, force: bool, every_row: bool =
 
     with np.errstate(over="ignore", invalid="ignore"):  # of energies: the numbers show it
         if out is None:
-            show(run, every_row=every_row)
+            show(run, **shown)
         else:
             run.save(out, overwrite=force)
         written = "" if out is None else f"{out}: {times_of(run)}; "

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import json
+import math
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
@@ -10,6 +12,7 @@ import click
 from pendula.cli.map_picture import checked_map_picture, look_of, look_options
 from pendula.cli.pictures import picture_options, write_picture
 from pendula.cli.shown import held
+from pendula.cli.tables import paragraph, table
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -41,6 +44,10 @@ def _show(**given: Any) -> None:
     click.echo(picture)
 
 
+def _say(text: str) -> None:
+    click.echo(paragraph(text))
+
+
 # ---- trajectories ----
 
 
@@ -49,9 +56,10 @@ def _trajectory(found: Held, given: dict[str, Any]) -> Drawing:
 
     run = load(found.path)
     if run.states.ndim != 2:
-        click.echo(f"{run.states.shape[0]} exact solutions of {run.system!r}, {run.t.size} times")
+        count = math.prod(run.states.shape[:-2])
+        _say(f"{count} exact solutions of {run.system!r}, {run.t.size} times")
         return None
-    click.echo(f"trajectory of {run.system!r}")
+    _say(f"trajectory of {run.system!r}")
     return _run(run, given)
 
 
@@ -61,8 +69,9 @@ def _run(run: Trajectory, given: dict[str, Any]) -> Drawing:
 
     components = zip(run.system.component_units.items(), run.request.state, strict=True)
     start = ", ".join(f"{name} = {value:.6g} {unit}" for (name, unit), value in components)
-    click.echo(f"at t = {run.request.t0:g} s: {start}\n")
-    deliver(run, None, force=False, every_row=given["all"])
+    _say(f"at t = {run.request.t0:g} s: {start}")
+    click.echo()
+    deliver(run, None, force=False, every_row=given["all"], more="--all prints all")
     return lambda language: plot.trajectory(run, language=language)
 
 
@@ -72,11 +81,10 @@ def _run(run: Trajectory, given: dict[str, Any]) -> Drawing:
 def _map(found: Held, given: dict[str, Any]) -> Drawing:
     from pendula import plot
     from pendula.cli.map_output import summary
-    from pendula.cli.tables import paragraph
     from pendula.systems import system_from
 
     known, data = found.known, _dataset(found)
-    click.echo(f"{known['map']} map of {system_from(known['system'])!r}")
+    _say(f"{known['map']} map of {system_from(known['system'])!r}")
     for name in ("theta1", "theta2"):
         centres = data[name].values
         ends = f"{centres[0]:.6g} to {centres[-1]:.6g} rad"
@@ -84,7 +92,7 @@ def _map(found: Held, given: dict[str, Any]) -> Drawing:
     click.echo(f"t_max = {known['t_max']:g} s, tolerance {known['tolerance']:.3g}")
     _unfinished(data)
     _shades(data)
-    click.echo(paragraph(summary(known["map"], data)))
+    _say(summary(known["map"], data))
     return lambda language: plot.stored_map(data, language=language, **look_of(given))
 
 
@@ -138,7 +146,7 @@ def _sweep(found: Held, given: dict[str, Any]) -> Drawing:
     missing = outcomes.count("")
     if missing:
         click.echo(f"unfinished: {missing} of {len(outcomes)} rows are missing")
-    click.echo(f"outcomes: {ends_of(outcomes)}")
+    _say(f"outcomes: {ends_of(outcomes)}")
     try:
         recipe = sweep_from(known)
     except ValueError as error:
@@ -180,7 +188,7 @@ def _describe(known: dict[str, Any]) -> None:
     points = " x ".join(map(str, sampler.shape))
     grid = f" (grid {points}, draws {sampler.draws})" if sampler.shape else ""
     every = "" if known["every"] is None else f" every {known['every']:g} s"
-    click.echo(
+    _say(
         f"{sampler.count} rows{grid}, until {known['t_max']:g} s{every}, "
         f"{known.get('dtype', 'float64')}, chunks of {known['chunk']}"
     )
@@ -199,7 +207,8 @@ def _row(recipe: SweepRecipe, row: int, given: dict[str, Any]) -> Drawing:
     system = system_from({"name": recipe.system, "form": recipe.form, "parameters": values})
     times = recipe.times if recipe.every is not None else recipe.t_max
     run = solve(system, states[0], times, recipe.method, **recipe.options)
-    click.echo(f"\nrow {row}: {system!r}")
+    click.echo()
+    _say(f"row {row}: {system!r}")
     return _run(run, given)
 
 
@@ -222,7 +231,7 @@ def _recipe(found: Held, given: dict[str, Any]) -> Drawing:
     return None if given["row"] is None else _row(asked, given["row"], given)
 
 
-# ---- ensembles, comparisons ----
+# ---- ensembles, tables ----
 
 
 def _ensemble(found: Held, given: dict[str, Any]) -> Drawing:
@@ -231,35 +240,24 @@ def _ensemble(found: Held, given: dict[str, Any]) -> Drawing:
 
     run = found.known["ensemble"]
     systems = "different systems" if run["system"] is None else repr(system_from(run["system"]))
-    click.echo(f"ensemble of {found.known['trajectories']} trajectories of {systems}")
+    _say(f"ensemble of {found.known['trajectories']} trajectories of {systems}")
     click.echo(f"method {run['method']}, from t = {run['t0']:g} s")
     if found.ending in (".nc", ".zarr"):
         with _dataset(found) as data:
-            click.echo(f"{data.sizes['t']} times; {ends_of(data['outcome'].values.tolist())}")
+            _say(f"{data.sizes['t']} times; {ends_of(data['outcome'].values.tolist())}")
             for number, _ in enumerate(run["events"], start=1):
                 click.echo(f"event {number}: {data.sizes[f'event{number}']} crossings")
     return None
 
 
-def _comparison(found: Held, given: dict[str, Any]) -> Drawing:
-    import csv
-    import json
-    from pathlib import Path
+def _table(found: Held, given: dict[str, Any]) -> Drawing:
+    from pendula.cli.shown import rows_of
 
-    from pendula.cli.tables import table
-
-    told = {name: each for name, each in found.known.items() if name != "rows"}
-    click.echo("comparison of methods")
-    for name, each in told.items():
-        click.echo(f"{name}: {each if isinstance(each, str) else json.dumps(each)}")
-    if found.ending == ".json":
-        rows = [list(map(str, each.values())) for each in found.known["rows"]]
-        header = list(found.known["rows"][0]) if found.known["rows"] else []
-    else:
-        with Path(found.path).open(encoding="utf-8-sig", newline="") as file:
-            file.readline()
-            header, *rows = list(csv.reader(file))
-    click.echo(f"\n{table(header, rows)}")
+    _say({"comparison": "comparison of methods", "events": "events of a run"}[found.kind])
+    for name, each in found.known.items():
+        if name != "rows":
+            _say(f"{name}: {each if isinstance(each, str) else json.dumps(each)}")
+    click.echo(f"\n{table(*rows_of(found))}")
     return None
 
 
@@ -269,7 +267,8 @@ _SHOWN: dict[str, Callable[[Held, dict[str, Any]], Drawing]] = {
     "sweep": _sweep,
     "recipe": _recipe,
     "ensemble": _ensemble,
-    "comparison": _comparison,
+    "comparison": _table,
+    "events": _table,
 }
 
 command = click.Command(

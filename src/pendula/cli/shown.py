@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+import csv
 import json
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from pendula._attributes import KEY
+from pendula._attributes import KEY, kind_of
 from pendula._checks import extra
 from pendula._messages import one_line
 
@@ -21,7 +22,7 @@ class Held:
     Attributes:
         path: of the file, or the URL of a store.
         ending: of its name.
-        kind: "trajectory", "map", "sweep", "ensemble", "comparison" or "recipe".
+        kind: "trajectory", "map", "sweep", "ensemble", "comparison", "events" or "recipe".
         known: its description.
     """
 
@@ -53,19 +54,32 @@ def held(path: str) -> Held:
         raise ValueError(
             f"{path} cannot be read as a file of pendula: {one_line(error)}"
         ) from error
-    kind = next((kind for kind, names in _KINDS.items() if names <= known.keys()), None)
+    kind = kind_of(known)
     if kind is None:
         raise ValueError(f"{path} was not written by pendula: it holds no description of its own")
     return Held(path, ending, kind, known)
 
 
-_KINDS = {  # by keys of the description
-    "sweep": {"sweep"},
-    "map": {"map"},
-    "ensemble": {"ensemble"},
-    "comparison": {"reference", "outputs"},
-    "trajectory": {"method", "state"},
-}
+def rows_of(found: Held) -> tuple[list[str], list[list[str]]]:
+    """The header and the rows of a table, short enough for a terminal: words above one another."""
+    if found.ending == ".json":
+        records = found.known["rows"]
+        header = list(records[0]) if records else []
+        rows = [list(map(str, each.values())) for each in records]
+    else:
+        with Path(found.path).open(encoding="utf-8-sig", newline="") as file:
+            file.readline()
+            header, *rows = list(csv.reader(file))
+    return [name.replace(" ", "\n") for name in header], [
+        list(map(_shortened, row)) for row in rows
+    ]
+
+
+def _shortened(cell: str) -> str:
+    try:
+        return f"{float(cell):.6g}"
+    except ValueError:
+        return cell
 
 
 def _of_zarr(path: str) -> Any:

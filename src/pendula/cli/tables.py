@@ -52,12 +52,15 @@ def paragraph(text: str) -> str:
     )
 
 
-def show(run: Trajectory, *, every_row: bool = False) -> None:
-    """Print a run: some of its rows (or all), and its angles as curves."""
+def show(run: Trajectory, *, every_row: bool = False, more: str = "-o FILE writes all") -> None:
+    """Print a run: some of its rows (or all), and its angles as curves.
+
+    `more` says what gives the rows that are left out.
+    """
     rows = _chosen_rows(len(run.t), every_row=every_row)
     click.echo(_rows_of(run, rows))
     if len(rows) < len(run.t):
-        click.echo(f"{len(rows)} of {times_of(run)} shown; -o FILE writes all")
+        click.echo(f"{len(rows)} of {times_of(run)} shown; {more}")
     if len(run.t) >= _ENOUGH_FOR_A_CURVE and can_print("⣿"):
         _curves(run)
 

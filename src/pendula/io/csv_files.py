@@ -11,7 +11,7 @@ import codecs
 import csv
 import re
 from contextlib import contextmanager
-from functools import partial
+from functools import cache, partial
 from typing import TYPE_CHECKING
 
 from pendula._attributes import KEY
@@ -25,6 +25,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterator
     from pathlib import Path
 
+    from pendula._types import Array
     from pendula.run.trajectory import Trajectory
 
 MARK = f"# {KEY}: "  # before the attributes, in the first line
@@ -63,17 +64,21 @@ def read_csv(path: Path) -> Iterator[Stored]:
             f"{path} was not written by pendula: its first line lacks {MARK!r}"
         )
     header, rows = _table(rest, separator, path)
-    try:
-        cells = [[_number(cell, separator) for cell in row] for row in rows]
-    except ValueError as error:
-        raise NotATrajectoryError(
-            f"{path} holds something else than numbers: {one_line(error)}"
-        ) from None
-    values = np.array(cells, dtype=np.float64).reshape(len(rows), len(header))
-    table = dict(zip(header, values.T, strict=True))
-    shapes = dict.fromkeys(table, (len(rows),))
+
+    @cache
+    def table() -> dict[str, Array]:
+        try:
+            cells = [[_number(cell, separator) for cell in row] for row in rows]
+        except ValueError as error:
+            raise NotATrajectoryError(
+                f"{path} holds something else than numbers: {one_line(error)}"
+            ) from None
+        values = np.array(cells, dtype=np.float64).reshape(len(rows), len(header))
+        return dict(zip(header, values.T, strict=True))
+
+    shapes = dict.fromkeys(header, (len(rows),))
     size = path.stat().st_size
-    yield Stored(recipe, shapes, table.__getitem__, size, partial(_hint, rows))
+    yield Stored(recipe, shapes, lambda label: table()[label], size, partial(_hint, rows))
 
 
 def _text(path: Path) -> str:

@@ -10,6 +10,7 @@ import warnings
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
+from pendula._attributes import kind_of
 from pendula._messages import one_line
 from pendula.io.attributes import NotATrajectoryError
 from pendula.io.checksums import of_column, of_recipe
@@ -26,6 +27,12 @@ _BEFORE = {  # all that a recipe without a checksum can hold
     *("pendula", *_NEEDED),
     *("step", "tolerance", "max_steps", "certify", "digits", "events"),
     *("reached", "crossings", "trust_horizon", "precision"),
+}
+_READERS = {  # of files that hold something else, by ending
+    ".csv": 'pandas.read_csv(…, comment="#")',
+    ".nc": "xarray.open_dataset",
+    ".parquet": "pandas.read_parquet",
+    ".zarr": "xarray.open_zarr",
 }
 _DENSEST = 1000  # times that a format packs different doubles into one's room, and far from that
 
@@ -74,6 +81,13 @@ def recipe_of(stored: Stored, source: Path) -> dict[str, Any]:
             f"{source} does not hold a trajectory of pendula: its attributes are no recipe: "
             f"{one_line(error)}"
         ) from None
+    kind = kind_of(known)
+    if kind is not None and kind != "trajectory":
+        what = {"ensemble": "an ensemble", "events": "events"}.get(kind, f"a {kind}")
+        raise NotATrajectoryError(
+            f"{source} holds {what}, not a trajectory; "
+            f"read it with {_READERS[source.suffix.lower()]}"
+        )
     lacking = next((name for name in _NEEDED if name not in known), None)
     if lacking is not None:
         raise NotATrajectoryError(

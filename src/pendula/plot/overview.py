@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+import math
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any, overload
 
 import numpy as np
 
+from pendula._engine import method_named
 from pendula._late_methods import method_of
 from pendula._messages import ArgumentError
+from pendula.plot.animation.motions import finer
 from pendula.plot.labels import Labels, labels
 from pendula.plot.style import (
     INK,
@@ -28,6 +32,7 @@ if TYPE_CHECKING:
 
 
 _SECOND = "#0072b2"
+_SMOOTH = 2000  # points that make a line of that length smooth
 
 
 @method_of(Trajectory)
@@ -75,13 +80,14 @@ def trajectory(trajectory: Trajectory, *, ax: Any = None, language: str = "en") 
     grid = axes[0, 1].get_gridspec()
     for panel in axes[:, 1]:
         panel.remove()
-    _angles(axes[0, 0], trajectory, words)
+    curve = _between_steps(trajectory)
+    _angles(axes[0, 0], curve, words)
     _energy(axes[1, 0], trajectory, words)
     axes[0, 0].sharex(axes[1, 0])
     axes[0, 0].tick_params(labelbottom=False)
     plane = figure.add_subplot(grid[:, 1])
     localise(plane, words)
-    _plane(plane, trajectory, words)
+    _plane(plane, curve, words)
     return figure
 
 
@@ -102,9 +108,11 @@ def _axes(ax: Any) -> list[Axes]:
 
 def _into(axes: list[Axes], run: Trajectory, words: Labels) -> None:
     """Draw the angles, and where there is room the energy error and the portrait or path."""
-    for ax, draw in zip(axes, (_angles, _energy, _plane), strict=False):
+    curve = _between_steps(run)
+    drawn = ((_angles, curve), (_energy, run), (_plane, curve))
+    for ax, (draw, each) in zip(axes, drawn, strict=False):
         localise(ax, words)
-        draw(ax, run, words)
+        draw(ax, each, words)
     if len(axes) == 1:
         axes[0].set_xlabel(words.axis["time"])
 
@@ -124,6 +132,19 @@ def _check(given: object) -> None:
         rule = "has no outputs to draw: the run ended as {value} before the first of them"
         way_out = "ask for earlier times, or more steps"
         raise ArgumentError(name, rule, way_out, value=given.outcome)
+
+
+def _between_steps(run: Trajectory) -> Trajectory:
+    """The run with times between its outputs where those are the few steps of an adaptive method.
+
+    Straight lines from one such step to the next would be seen.
+    """
+    asked = run.request
+    few = isinstance(asked.t, float) and asked.digits is None and 1 < run.t.size < _SMOOTH
+    if not few or not method_named(run.method).adaptive:
+        return run
+    times = finer(run.t, math.ceil(_SMOOTH / run.t.size))
+    return replace(run, t=times, states=run.at(times))
 
 
 def _angles(ax: Axes, run: Trajectory, words: Labels) -> None:
@@ -156,7 +177,7 @@ def _plane(ax: Axes, run: Trajectory, words: Labels) -> None:
         ax.plot(theta, run.omega, **style)
         ax.set_xlabel(words.axis["angle"])
         ax.set_ylabel(words.axis["rate"])
-        degree_ticks(ax, "x", 2 * float(np.nanmin(theta)), 2 * float(np.nanmax(theta)))
+        degree_ticks(ax, "x", float(np.nanmin(theta)), float(np.nanmax(theta)), most=5)
         return
     tip = run.system.positions(run.states)[:, -1]
     ax.plot(tip[:, 0], tip[:, 1], **style)

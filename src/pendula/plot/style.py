@@ -209,13 +209,13 @@ def _power_of_ten(x: float, _: int) -> str:
     return "10" + str(round(np.log10(x))).translate(_SUPERSCRIPTS) if x > 0 else ""
 
 
-def degree_ticks(ax: Axes, axis: str, low: float, high: float) -> None:
-    """Put an angle axis' ticks [°] on parts of a turn, where the range allows it."""
+def degree_ticks(ax: Axes, axis: str, low: float, high: float, most: int = 7) -> None:
+    """Put at most so many ticks of an angle axis [°] on parts of a turn, if the range allows."""
     from matplotlib.ticker import MultipleLocator
 
     span = high - low
-    steps = (0.5, 1, 2, 5, 10, 15, 30, 45, 90, 180, 360)
-    fitting = [s for s in steps if span / s <= 7]
+    steps = (0.2, 0.5, 1, 2, 5, 10, 15, 30, 45, 90, 180, 360)
+    fitting = [s for s in steps if span / s <= most]
     if fitting and np.isfinite(span) and span > 0:
         getattr(ax, f"{axis}axis").set_major_locator(MultipleLocator(fitting[0]))
 

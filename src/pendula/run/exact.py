@@ -73,10 +73,13 @@ def time_at(system: System, state: ArrayLike, theta: ArrayLike) -> Any:
     warn_of_degrees("state", state, start[..., 0])
     angles = finite_array("theta", theta, "rad")
     shape = broadcast_shape(state=start.shape[:-1], theta=angles.shape)
+    states = np.broadcast_to(start, (*shape, 2)).reshape(-1, 2)
+    # mirrored to ω ≥ 0: a phase next to 0 keeps the digits that one next to π would lose
+    forwards = np.where(states[:, 1] < 0, -1.0, 1.0)
     result = _engine.times_at(
         system._description(),
-        np.ascontiguousarray(np.broadcast_to(start, (*shape, 2)).reshape(-1, 2)),
-        np.ascontiguousarray(np.broadcast_to(angles, shape).ravel()),
+        states * forwards[:, np.newaxis],
+        np.broadcast_to(angles, shape).ravel() * forwards,
     )
     return result.reshape(shape) if shape else float(result[0])
 
