@@ -142,7 +142,7 @@ def test_derivatives_by_everything_are_those_of_differences(
         value = system.parameters.get(name, 1.0)
         if value == 0.0:
             continue  # friction begins there, and has no derivative from both sides
-        h = 3e-4 * abs(value)
+        h = 3e-4 * abs(value) if name in system.parameters else 3e-5
         runs = [
             solve(*moved(system, start, name, m * h), t[1:], digits=14).states
             for m in (-3, -2, -1, 1, 2, 3)

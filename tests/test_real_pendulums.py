@@ -230,8 +230,8 @@ def test_pieces_go_through_dense_output_ensembles_and_more_digits(system: Any) -
         for i, each in enumerate(starts)
     )
     assert solve(system, start, 25.0, certify=1e-9).trust_horizon == math.inf
-    digits = solve(system, start, t[1::20], digits=12)
-    np.testing.assert_allclose(digits.states, run.states[1::20], rtol=0, atol=1e-11)
+    digits = solve(system, start, t[1:20:6], digits=12)
+    np.testing.assert_allclose(digits.states, run.states[1:20:6], rtol=0, atol=1e-11)
 
 
 def test_what_real_pendulums_refuse() -> None:

@@ -88,6 +88,8 @@ void events_inside_steps_are_those_that_outputs_show() {
     for (const double span : {1.5, -1.5}) {
       const double time = t0 + 0.23456 * span;
       const auto then = after<rk4>(system, start, t0, time - t0, 1 << 14);
+      // what so many steps round the angle by takes a slow motion long to pass
+      const double allowed = 3e-14 / std::min(1.0, std::fabs(then[degrees_of_freedom<Sys>]));
       const std::vector<event> asked{{event_kind::angle, 0, then[0]},
                                      {event_kind::velocity_zero},
                                      {event_kind::tip_height, 0, system.positions(then).back()[1]}};
@@ -103,7 +105,7 @@ void events_inside_steps_are_those_that_outputs_show() {
           const auto place = static_cast<std::size_t>(each.place);
           BOOST_TEST(std::fabs(quantity(system, asked[place], each.y)) < 4e-14);
           ++events[place];
-          there[place] += std::fabs(each.time - time) < 3e-14;
+          there[place] += std::fabs(each.time - time) < allowed;
         }
         BOOST_TEST(shown == events, boost::test_tools::per_element());
         BOOST_TEST((there[0] == 1 && there[2] == 1));

@@ -39,5 +39,8 @@ def command() -> None:
 
 
 def _systems(method: _engine.Method) -> str:
-    everyone = len(method.systems) == len(_engine.system_entries())
-    return "all" if everyone else ", ".join(method.systems)
+    """The systems in a few words; "ideal" are those without friction and drive."""
+    entries = _engine.system_entries()
+    ideal = [name for name in entries if entries[name].can.conservative]
+    taken = list(method.systems)
+    return "all" if taken == list(entries) else "ideal" if taken == ideal else ", ".join(taken)

@@ -2,6 +2,9 @@
 // Comm. ACM 7, 463). What is decided is decided by the values alone, so that they have the bits of the plain run.
 #pragma once
 
+#include <cmath>
+
+#include "pendula/scalar/product.hpp"
 #include "pendula/scalar/rough_powers.hpp"
 
 namespace pendula::inline PENDULA_MACHINE {
