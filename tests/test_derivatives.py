@@ -13,6 +13,7 @@ from pendula import (
     DoublePendulum,
     DrivenPendulum,
     SimplePendulum,
+    ensemble,
     events,
     solve,
 )
@@ -174,6 +175,20 @@ def test_events_times_and_states_change_too() -> None:
             np.testing.assert_allclose(changes.times[:, k], want, rtol=0, atol=1e-9)
             want = stencil([each[i].states for each in runs], h)
             np.testing.assert_allclose(changes.states[:, :, k], want, rtol=0, atol=1e-9)
+
+
+def test_an_ensemble_has_the_derivatives_of_each_of_its_runs() -> None:
+    t = np.linspace(0.0, 4.0, 3)
+    for system, start, _ in REAL:
+        starts = np.array(start) * np.linspace(0.5, 1.0, 7)[:, np.newaxis]
+        asked = (system.components[0], list(system.parameters)[2])
+        many = ensemble(system, starts, t, derivatives=asked, threads=2)
+        assert many.derivative_names == asked
+        assert many.derivatives is not None
+        for found, each in zip(many.derivatives, starts, strict=True):
+            alone = solve(system, each, t, derivatives=asked).derivatives
+            assert alone is not None
+            assert np.array_equal(found, alone)
 
 
 def test_what_derivatives_are_asked_for_wrongly() -> None:

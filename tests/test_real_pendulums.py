@@ -234,6 +234,21 @@ def test_pieces_go_through_dense_output_ensembles_and_more_digits(system: Any) -
     np.testing.assert_allclose(digits.states, run.states[1:20:6], rtol=0, atol=1e-11)
 
 
+def test_linear_pendulums_with_and_without_friction_go_together() -> None:
+    systems = [LinearPendulum(viscous=viscous) for viscous in (0.0, 0.1, 0.2)]
+    assert [each.name for each in systems] == ["linear", "driven-linear", "driven-linear"]
+    t = np.linspace(0.0, 10.0, 11)
+    both: list[tuple[Any, dict[str, Any]]] = [
+        ("taylor", {}),
+        ("dop853", {}),
+        ("rk4", {"step": 0.01}),
+    ]
+    for method, options in both:
+        many = ensemble(systems, (0.5, 0.1), t, method, **options)
+        for states, each in zip(many.states, systems, strict=True):
+            assert np.array_equal(states, solve(each, (0.5, 0.1), t, method, **options).states)
+
+
 def test_what_real_pendulums_refuse() -> None:
     dry = DrivenPendulum.bob(coulomb=0.1)
     message = told(solve, dry, (1.0, 0.0), -5.0)

@@ -118,6 +118,22 @@ run_derivatives derivatives(const request& asked, const array_in& outputs, const
   return result;
 }
 
+array_out derivatives_of_ensemble(const request& asked, const matrix_in& states, const matrix_in& parameters,
+                                  const std::vector<std::size_t>& columns, std::size_t threads, nb::object progress) {
+  const pendula::ensemble_rows rows{span_of(states), span_of(parameters), states.shape(0), states.shape(1),
+                                    parameters.shape(0) == 1 ? 0 : parameters.shape(1)};
+  const auto watch = watching(std::move(progress));
+  const auto found = released([&] {
+    const auto workers = pendula::threads(threads);
+    return pendula::ensemble_derivatives(asked, rows, columns, *workers, watch);
+  });
+  new_array all({states.shape(0), asked.times.size(), states.shape(1), columns.size()});
+  const std::size_t count = states.shape(0) * asked.times.size() * states.shape(1) * columns.size();
+  if (found.size() != count) throw nb::python_error();
+  std::ranges::copy(found, all.data);
+  return all.array;
+}
+
 void bind_derivatives(nb::module_& m) {
   nb::class_<crossing_derivatives>(m, "CrossingDerivatives", "How times and states of an event change.")
       .def(
@@ -142,6 +158,8 @@ void bind_derivatives(nb::module_& m) {
       .def_prop_ro("events", [](const run_derivatives& r) { return &r.events; }, nb::rv_policy::reference_internal);
   m.def("derivatives", &derivatives, "request"_a, "outputs"_a, "columns"_a, "progress"_a.none(),
         "Of the run, at output times of its own, by components of the start and, from their count on, parameters.");
+  m.def("ensemble_derivatives", &derivatives_of_ensemble, "request"_a, "states"_a, "parameters"_a, "columns"_a,
+        "threads"_a, "progress"_a.none(), "The same of the runs of `ensemble`, (n, m, d, columns).");
 }
 
 void bind_balance(nb::module_& m) {

@@ -144,6 +144,24 @@ bool find_horizons(const request& asked, const ensemble_rows& rows, pool& worker
 
 }  // namespace
 
+std::vector<double> ensemble_derivatives(const request& asked, const ensemble_rows& rows,
+                                         std::span<const derived_by> columns, pool& workers, const watcher& watch) {
+  const std::size_t of_one = asked.times.size() * rows.dimension * columns.size();
+  std::vector<double> all(rows.count * of_one, std::numeric_limits<double>::quiet_NaN());
+  request alone = asked;
+  alone.events.clear();
+  const bool complete = workers.share_out(rows.count, watch, [&](std::size_t, shared_work& work) {
+    request one = alone;
+    for (std::size_t n; (n = work.next()) != no_more_work; work.done()) {
+      take_row(rows, n, one);
+      const watcher going_on = [&](double) { return work.go_on(); };
+      const auto found = derivatives_of(one, one.times, columns, going_on);
+      std::ranges::copy(found.states, all.begin() + static_cast<std::ptrdiff_t>(n * of_one));
+    }
+  });
+  return complete ? all : std::vector<double>{};
+}
+
 ensemble_result run_ensemble(const request& asked, const ensemble_rows& rows, pool& workers, const watcher& watch) {
   ensemble_result result;
   result.refused = check_of_doubles(asked);

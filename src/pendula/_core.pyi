@@ -234,6 +234,9 @@ def derivatives(request: Request, outputs: Annotated[NDArray[numpy.float64], dic
     Of the run, at output times of its own, by components of the start and, from their count on, parameters.
     """
 
+def ensemble_derivatives(request: Request, states: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], parameters: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], columns: Sequence[int], threads: int, progress: object | None) -> NDArray[numpy.float64]:
+    """The same of the runs of `ensemble`, (n, m, d, columns)."""
+
 class EnsembleResult:
     """What came of many runs."""
 

@@ -160,6 +160,7 @@ check_system = _core.check_system
 solve = _core.solve
 balance = _core.balance
 derivatives = _core.derivatives
+ensemble_derivatives = _core.ensemble_derivatives
 RunResult = _core.RunResult
 Crossings = _core.Crossings
 DenseOutput = _core.DenseOutput

@@ -15,7 +15,8 @@ from pendula._messages import ArgumentError
 from pendula._progress import part, with_bar
 from pendula._rules import broken, refuse
 from pendula._tables import html_table
-from pendula.many.tasks import Runs, Task, checked_threads, run_task
+from pendula.many.tasks import Runs, Task, checked_threads, derivatives_of, run_task
+from pendula.run.derivatives import check_method, checked_derivatives
 from pendula.run.options import STANDARD_METHOD, checked_types, takes_options
 from pendula.run.request import checked_name, times_array
 from pendula.run.stiffness import warn_of_stiffness
@@ -48,11 +49,15 @@ class Ensemble(Runs):
         systems: the pendulum of all, or one of each.
         starts: the states at t0, (n, d) [rad, rad/s].
         task: what all runs have in common, the options among it.
+        derivatives: of the states by what `derivative_names` says, (n, m, d, k); None: not asked.
+        derivative_names: components of the start, and parameters, (k,).
     """
 
     systems: System | tuple[System, ...]
     starts: Array
     task: Task
+    derivatives: Array | None = None
+    derivative_names: tuple[str, ...] = ()
 
     @property
     def method(self) -> MethodName:
@@ -128,6 +133,7 @@ def ensemble(
     method: MethodName = STANDARD_METHOD,
     *,
     t0: float = 0.0,
+    derivatives: str | Iterable[str] | None = None,
     threads: int | None = None,
     progress: AskedProgress = None,
     **options: Unpack[RunOptions],
@@ -144,6 +150,7 @@ def ensemble(
         method: a name that `methods()` lists; all run through the processor's lanes, but those of
             dop853 with events.
         t0: time of the states [s].
+        derivatives: as for `solve`, of the states at the outputs.
         threads: None: one for each processor.
         progress: called with the part of the trajectories that is done, 0 to 1; True: a bar, in
             a notebook or a terminal.
@@ -166,12 +173,19 @@ def ensemble(
     task = _checked_task(systems, starts, t, method, t0, options)
     warn_of_stiffness(systems[:_LOOKED_AT], abs(float(task.t[-1]) - task.t0))
     count = checked_threads(threads)
+    derived_by = checked_derivatives(derivatives, systems[0])
+    check_method(derived_by, task.method, task.digits)
+    asked = system if isinstance(system, System) else systems
     if task.digits is None:
-        found = run_task(task, parameters, starts, count, report)
+        runs = part(report, 0.0, 0.2 if derived_by else 1.0)
+        found = run_task(task, parameters, starts, count, runs)
     else:
         found = _runs_with_digits(task, systems, starts, task.digits, report)
-    asked = system if isinstance(system, System) else systems
-    return Ensemble(systems=asked, starts=starts, task=task, **vars(found))
+    derived: dict[str, Any] = {}
+    if derived_by:
+        derivatives_found = derivatives_of(task, parameters, starts, derived_by, count, report)
+        derived = {"derivatives": derivatives_found, "derivative_names": derived_by}
+    return Ensemble(systems=asked, starts=starts, task=task, **vars(found), **derived)
 
 
 def _checked_task(
@@ -210,6 +224,8 @@ def _checked_systems(system: System | Sequence[System]) -> tuple[System, ...]:
     systems: tuple[Any, ...] = (system,) if one else tuple(system)
     for each in systems:
         check_system(each)
+    if len({each.name for each in systems}) > 1:
+        systems = tuple(each.most_general() for each in systems)
     kinds = {(each.name, each.form) for each in systems}
     if len(kinds) != 1:
         given = ", ".join(sorted(" ".join(kind).strip() for kind in kinds)) or "none"

@@ -8,7 +8,9 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from pendula import _engine
 from pendula._checks import check_threads
+from pendula._progress import part
 from pendula._rules import refuse
+from pendula.run.derivatives import names_derived_by
 from pendula.run.events import crossings_table
 from pendula.run.options import Options
 from pendula.run.request import core_request
@@ -122,6 +124,31 @@ def run_task(
             for each in result.events
         ),
         trust_horizon=None if task.certify is None else result.trust_horizon,
+    )
+
+
+def derivatives_of(
+    task: Task,
+    parameters: Array,
+    starts: Array,
+    names: tuple[str, ...],
+    threads: int,
+    progress: Progress,
+) -> Array:
+    """Derivatives (n, m, d, k) of the states at the outputs."""
+    import numpy as np
+
+    n, d = starts.shape
+    if n == 0:
+        return np.empty((0, task.t.size, d, len(names)))
+    everything = names_derived_by(task.system, task.form)
+    return _engine.ensemble_derivatives(
+        task.for_core(parameters[0], np.ascontiguousarray(starts[0])),
+        starts,
+        parameters,
+        [everything.index(name) for name in names],
+        threads,
+        part(progress, 0.2, 1.0),
     )
 
 

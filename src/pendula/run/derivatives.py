@@ -28,6 +28,18 @@ class CrossingDerivatives(NamedTuple):
     states: Array
 
 
+def names_derived_by(system: str, form: str) -> list[str]:
+    """All that runs can be derived by: components of the start and parameters, as the core counts.
+
+    Args:
+        system: name in the catalogue.
+        form: of its description.
+    """
+    entry = _engine.system_entries()[system]
+    parameters = entry.forms[entry.form_index(form)].parameters
+    return [*(row.name for row in entry.components), *(row.name for row in parameters)]
+
+
 def checked_derivatives(asked: object, system: System) -> tuple[str, ...]:
     """The names that a run is derived by: components of the start and parameters.
 
@@ -70,7 +82,7 @@ def with_derivatives(run: Trajectory, names: tuple[str, ...], progress: Progress
     if not names:
         return run
     system, d = run.system, run.request.state.size
-    everything = (*system.components, *system.parameters)
+    everything = names_derived_by(system.name, system.form)
     found = _engine.derivatives(
         run.request.for_core(system, run.method),
         run.t,

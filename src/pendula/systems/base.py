@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import sys
+from copy import copy
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any, ClassVar, cast
 
@@ -97,6 +98,14 @@ class System:
     def slowest_frequency(self) -> float:
         """Of the slowest small oscillation [rad/s]."""
         return self.fastest_frequency
+
+    def most_general(self) -> System:
+        """The same system by the most general description of its class."""
+        if self.name == (self.name, *self.other_names)[-1]:
+            return self
+        general = copy(self)
+        object.__setattr__(general, "name", self.other_names[-1])
+        return general
 
     def rhs(self, states: ArrayLike, t: float = 0.0) -> Array:
         """Time derivatives (..., d) of states (..., d) at time t [rad/s, rad/s²]."""
