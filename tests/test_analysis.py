@@ -70,13 +70,15 @@ def test_order_refuses(steps: list[float], errors: list[float], message: str) ->
 @pytest.mark.parametrize("system", SYSTEMS, ids=label)
 def test_measured_orders_are_those_of_theory(system: System, method: Method) -> None:
     state = 2.0 * some_state(system)
-    steps = 0.01 / 2.0 ** np.arange(7)
-    t = np.arange(101) * 0.01
+    steps = 0.05 / 2.0 ** np.arange(9)
+    t = np.arange(21) * 0.05
     truth = solve(system, state, t)
     errors = [
         angle_difference(solve(system, state, t, method.name, step=h), truth).max() for h in steps
     ]
-    assert convergence_order(steps, errors).order == pytest.approx(method.order, abs=0.1)
+    above_rounding = np.array(errors) > 1e-13
+    order = convergence_order(steps[above_rounding], np.array(errors)[above_rounding]).order
+    assert order == pytest.approx(method.order, abs=0.1)
 
 
 def test_angle_difference_of_two_cosines() -> None:

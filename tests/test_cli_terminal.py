@@ -153,7 +153,7 @@ def completed(words: str, **environment: str) -> list[str]:
     [
         ("pendula ", list(app._pendula.commands)),
         ("pendula so", ["solve"]),
-        ("pendula solve ", ["linear", "simple", "double"]),
+        ("pendula solve ", ["linear", "simple", "double", "driven", "damped-double"]),
         ("pendula exact d", []),
         ("pendula animate ", list(animate.command.commands)),
         ("pendula animate do", ["double"]),

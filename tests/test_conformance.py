@@ -16,6 +16,9 @@ from pendula import DoublePendulum, exact, solve
 from stored import cases
 
 CLOSED = [made(each.name, length=0.5, mass=1.0) for each in ENTRIES if each.can.closed_form]
+FIXED_ON_CLOSED = [
+    (each, system) for each in FIXED for system in CLOSED if system.name in each.systems
+]
 START = (2.0, 0.5)
 TIMES = np.linspace(0.0, 3.0, 31)
 
@@ -57,8 +60,7 @@ def control(method: Any, factor: float = 1.0) -> dict[str, Any]:
     return {} if method.adaptive else {"step": FINE[method.name].step * factor}
 
 
-@pytest.mark.parametrize("method", FIXED, ids=label)
-@pytest.mark.parametrize("system", CLOSED, ids=label)
+@pytest.mark.parametrize(("method", "system"), FIXED_ON_CLOSED, ids=label)
 def test_fixed_steps_agree_with_the_closed_form(method: Any, system: Any) -> None:
     run = solve(system, START, TIMES, method.name, **control(method))
     error = np.abs(run.theta - exact(system, START, TIMES).theta).max()

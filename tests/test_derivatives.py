@@ -106,7 +106,7 @@ REAL: list[tuple[Any, Any, float]] = [
     (MOVED, (1.0, 0.5), 5.0),
     (DrivenPendulum.bob(coulomb=0.5, quadratic=0.1), (1.5, 0.4), 6.0),
     (STUCK, (0.1, 0.7), 8.0),
-    (JOINTS, (1.5, 1.0, 0.3, -0.2), 6.0),
+    (JOINTS, (1.5, 1.0, 0.3, -0.2), 5.9),
     (BODIES, (1.5, 1.0, 0.0, 0.0), 3.0),
 ]
 

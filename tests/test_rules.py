@@ -16,7 +16,16 @@ import pytest
 
 import pendula
 from catalogue import METHODS, REFUSED, at_rest, control, label
-from pendula import DoublePendulum, SimplePendulum, _checks, _core, _engine, ensemble, solve
+from pendula import (
+    DoublePendulum,
+    DrivenPendulum,
+    SimplePendulum,
+    _checks,
+    _core,
+    _engine,
+    ensemble,
+    solve,
+)
 from pendula._messages import ArgumentError, Message, Naming, message_of
 from pendula._rules import refuse
 from pendula.cli.run import span_of, times_apart
@@ -24,6 +33,7 @@ from pendula.events import flip
 from pendula.run.trust import DigitsError
 
 RODS, SIMPLE = DoublePendulum.rods(gravity=9.81), SimplePendulum(0.5, 9.81)
+DRY = DrivenPendulum.bob(coulomb=0.1)
 ROWS = _engine.rule_rows()
 
 
@@ -63,6 +73,14 @@ BROKEN: dict[str, tuple[str, _engine.Request]] = {
         "method",
         asked(system=RODS._description(), state=np.zeros(4), method="verlet", step=0.1),
     ),
+    "needs_conservative": (
+        "method",
+        asked(system=DRY._description(), method="gauss4", step=0.1),
+    ),
+    "backward_of_dry_friction": (
+        "t",
+        asked(system=DRY._description(), times=np.array([-1.0])),
+    ),
     "differs_from_start": ("t", asked(times=np.array([0.0]), own_steps=True)),
     "one_end": ("t", asked(own_steps=True)),
     "monotonic": ("t", asked(times=np.array([0.1, 0.2, 0.3, 0.4, 0.0]))),
@@ -87,7 +105,7 @@ BROKEN: dict[str, tuple[str, _engine.Request]] = {
 NEEDS = {f"needs_{each.needs}" for each in METHODS if each.needs != "flow"}  # which all have
 # All have a series, and `digits` go by another way.
 LEFT = {"number", "needs_series", "not_of_doubles", "rows", *NEEDS}
-NOT_TO_BREAK = LEFT - {f"needs_{method.needs}" for method, _ in REFUSED}
+NOT_TO_BREAK = LEFT - {f"needs_{each.needs}" for each, of in REFUSED if of.can.conservative}
 every_rule = pytest.mark.parametrize("rule", BROKEN)
 
 
@@ -269,17 +287,19 @@ def test_an_error_can_be_told_in_other_names(rule: str) -> None:
 def test_the_core_itself_refuses_a_method_that_does_not_take_the_system(
     method: Any, system: Any
 ) -> None:
-    rest = at_rest(system)
+    rest, ideal = at_rest(system), system.can.conservative
+    rule = f"needs_{method.needs}" if ideal else "needs_conservative"
+    says = "needs a system" if ideal else "is for pendulums without friction and drive"
     one = _core.Request(
         system._description(), method.name, rest, 0.0, np.array([1.0]), **control(method)
     )
     many = _core.ensemble(one, np.tile(rest, (3, 1)), np.zeros((1, 0)), 1, None)
     for result in (_core.solve(one, None), many):
         assert result.refused is not None
-        assert result.refused.rule == f"needs_{method.needs}"
+        assert result.refused.rule == rule
     for call in (
         lambda: solve(system, rest, 1.0, method.name, **control(method)),
         lambda: ensemble(system, rest, 1.0, method.name, **control(method)),
     ):
-        with pytest.raises(ArgumentError, match=f"^method '{method.name}' needs a system"):
+        with pytest.raises(ArgumentError, match=f"^method '{method.name}' {says}"):
             call()

@@ -14,8 +14,9 @@ from pendula.events import flip, velocity_zero
 
 RODS = DoublePendulum.rods(gravity=9.81)
 SHARED = ("n_steps", "n_evaluations", "reached", "events", "trust_horizon", "states", "t", "method")
+DERIVED = ("derivatives", "derivative_names")
 PLURAL = {"outcome": "outcomes", "system": "systems"}
-OF_ONE = {"request", "precision", "dense"}  # of a trajectory alone
+OF_ONE = {"request", "precision", "dense", "event_derivatives"}  # of a trajectory alone
 OF_MANY = {"starts", "task"}  # of an ensemble, whose task holds the method and the times
 
 
@@ -36,8 +37,8 @@ def values(many: Ensemble, i: int) -> dict[str, Any]:
 
 def test_a_trajectory_and_an_ensemble_share_the_names_of_what_they_share() -> None:
     one, many = names(Trajectory), names(Ensemble)
-    assert one == {*SHARED, *PLURAL, *OF_ONE}
-    assert many | {"method", "t"} == {*SHARED, *PLURAL.values(), *OF_MANY}
+    assert one == {*SHARED, *DERIVED, *PLURAL, *OF_ONE}
+    assert many | {"method", "t"} == {*SHARED, *DERIVED, *PLURAL.values(), *OF_MANY}
 
 
 @pytest.mark.usefixtures("starts_beyond_the_sine")

@@ -74,8 +74,9 @@ def test_the_stored_solutions_of_the_double_pendulum() -> None:
         np.testing.assert_allclose(run.states, want, rtol=0, atol=2e-9)
 
 
-@pytest.mark.parametrize("method", FIXED, ids=label)
-@pytest.mark.parametrize("system", CLOSED, ids=label)
+@pytest.mark.parametrize(
+    ("method", "system"), [(m, s) for m in FIXED for s in CLOSED if s.name in m.systems], ids=label
+)
 def test_the_measured_order_is_the_order(system: Any, method: Any) -> None:
     start, end = (2.0, 0.0), 1.0
     truth = exact(system, start, end).states[-1]

@@ -75,7 +75,10 @@ def test_a_recipe_takes_units(given: dict[str, Any], name: str, value: Any) -> N
 
 
 REFUSED: list[tuple[dict[str, Any], str]] = [
-    ({"system": "triple"}, "system must be one of linear, simple, double; got 'triple'"),
+    (
+        {"system": "triple"},
+        "linear, simple, double, driven-linear, driven, damped-double; got 'triple'",
+    ),
     ({"form": None}, "form must be '', this system has one alone, got None"),
     ({"system": "double", "form": "rod"}, "form must be one of rods, bobs, bodies; got 'rod'"),
     ({"sampler": 3}, "sampler must be a Sampler, got 3"),

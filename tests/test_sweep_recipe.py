@@ -190,8 +190,16 @@ def _double(system: str = "", state: str = "", run: str = 't_max = "1 s"') -> st
         (b"[system]\n# \xe9\n", 2, "not UTF-8 text"),
         ('[sistem]\nkind = "double"', 1, "unknown table 'sistem'; did you mean 'system'?"),
         ('kind = "double"', 1, "unknown key 'kind'; there are system, state, run"),
-        ("[system]\n", 1, "system.kind is needed, one of linear, simple, double; write kind ="),
-        ('[system]\nkind = "triple"', 2, "one of linear, simple, double; got 'triple'"),
+        (
+            "[system]\n",
+            1,
+            "driven, damped-double; write kind =",
+        ),
+        (
+            '[system]\nkind = "triple"',
+            2,
+            "driven-linear, driven, damped-double; got 'triple'",
+        ),
         ('[system]\nkind = "double"\nform = "rod"', 3, "one of rods, bobs, bodies; got 'rod'"),
         ('[system]\nkind = "simple"\nform = "rods"', 3, "not taken by the simple pendulum"),
         (_double('\nlenght = "1 m"'), 4, "unknown key 'lenght' in [system]"),

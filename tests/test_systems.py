@@ -18,6 +18,7 @@ import pendula
 from catalogue import ENTRIES, SYSTEMS, at_rest, label
 from pendula import DoublePendulum, LinearPendulum, SimplePendulum
 from pendula.systems import System, system_from
+from pendula.systems.driven import Real
 
 BODIES = DoublePendulum.bodies(1.2, 0.7, 0.9, 0.4, 0.3, 0.05, 0.02, 9.81, l2=0.8)
 every_system = pytest.mark.parametrize("system", [*SYSTEMS, BODIES], ids=label)
@@ -59,16 +60,31 @@ def test_every_system_of_the_catalogue_is_a_class_of_the_package() -> None:
         assert cls.__name__ in pendula.systems.__all__
 
 
+def arguments_of(maker: Any) -> dict[str, Any]:
+    """Names and defaults of what makes a system; of pairs, one for each joint."""
+    found = dict[str, Any]()
+    for name, each in inspect.signature(maker).parameters.items():
+        if each.kind is each.VAR_KEYWORD:
+            found |= dict.fromkeys(Real.__annotations__)
+        elif isinstance(each.default, tuple):
+            found |= {f"{name}{i}": value for i, value in enumerate(each.default, 1)}
+        else:
+            found[name] = each.default
+    return found
+
+
 def test_python_and_the_catalogue_agree_on_parameters() -> None:
     for entry in ENTRIES:
         for form in entry.forms:
             cls: Any = System.classes[entry.name]
+            if entry.name == cls.name and cls.other_names:
+                continue  # the parameters are those of its most general description
             maker = getattr(cls, form.name) if form.name else cls
-            given = inspect.signature(maker).parameters
+            given = arguments_of(maker)
             assert list(given) == [row.name for row in form.parameters]
             for row in form.parameters:
-                if row.standard is not None:
-                    assert given[row.name].default == row.standard
+                if row.standard is not None and row.name not in Real.__annotations__:
+                    assert given[row.name] == row.standard
 
 
 @pytest.mark.parametrize("bad", [0.0, -1.0, math.inf, math.nan, "1 m", None])
@@ -177,9 +193,44 @@ ENERGIES: dict[str, Any] = {
     "linear": lambda _, p, q, w: _one_bob_energies(p, w, q[0] ** 2 / 2),
     "simple": lambda _, p, q, w: _one_bob_energies(p, w, 1 - sp.cos(q[0])),
     "double": _double_energies,
+    "driven-linear": lambda _, p, q, w: _one_bob_energies(p, w, q[0] ** 2 / 2),
+    "driven": lambda _, p, q, w: _body_energies(p, w, 1 - sp.cos(q[0])),
+    "damped-double": _double_energies,
 }
+
+
+def _body_energies(p: Any, w: Any, height: Any) -> Any:
+    if "q" in p:  # the scaled form
+        return w[0] ** 2 / 2, height
+    if "length" in p:
+        return _one_bob_energies(p, w, height)
+    return p["inertia"] * w[0] ** 2 / 2, p["mass"] * p["gravity"] * p["centre"] * height
+
+
+def _force_on_a_body(p: Any, q: Any, w: Any) -> Any:
+    if "q" in p:
+        return [-w[0] / p["q"] + p["a"] * sp.cos(p["drive_phase"])]
+    moment = p["mass"] * p.get("length", p.get("centre"))
+    push = moment * p["pivot_amplitude"] * p["pivot_frequency"] ** 2 * sp.cos(p["pivot_phase"])
+    return [
+        p["torque"] * sp.cos(p["drive_phase"])
+        + push * sp.cos(q[0] - p["pivot_direction"])
+        - p["viscous"] * w[0]
+        - p["cubic"] * w[0] ** 3
+    ]
+
+
+def _friction_in_joints(p: Any, q: Any, w: Any) -> Any:
+    second = p["viscous2"] * (w[1] - w[0])
+    return [-p["viscous1"] * w[0] + second, -second]
+
+
 # Generalised forces at t = 0, beside those of the potential, of systems that have any.
-FORCES: dict[str, Any] = {}
+FORCES: dict[str, Any] = {
+    "driven-linear": lambda p, q, w: [p["torque"] * sp.cos(p["drive_phase"]) - p["viscous"] * w[0]],
+    "driven": _force_on_a_body,
+    "damped-double": _friction_in_joints,
+}
 
 
 def test_every_system_is_held_to_its_lagrangian() -> None:
@@ -190,7 +241,7 @@ def test_every_system_is_held_to_its_lagrangian() -> None:
 def test_positions_hang_down_from_the_origin(system: System) -> None:
     d = system.can.degrees_of_freedom
     named = system.parameters.items()
-    lengths = [value for name, value in named if re.fullmatch(r"length|l\d", name)]
+    lengths = [value for name, value in named if re.fullmatch(r"length|centre|l\d", name)] or [1.0]
     rest = system.positions(at_rest(system))
     np.testing.assert_allclose(rest, [[0, -sum(lengths[: i + 1])] for i in range(d)])
     right = system.positions([*[math.pi / 2] * d, *[0.0] * d])

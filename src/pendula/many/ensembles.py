@@ -224,7 +224,7 @@ def _checked_systems(system: System | Sequence[System]) -> tuple[System, ...]:
     systems: tuple[Any, ...] = (system,) if one else tuple(system)
     for each in systems:
         check_system(each)
-    if len({each.name for each in systems}) > 1:
+    if len({type(each) for each in systems}) == 1 < len({each.name for each in systems}):
         systems = tuple(each.most_general() for each in systems)
     kinds = {(each.name, each.form) for each in systems}
     if len(kinds) != 1:

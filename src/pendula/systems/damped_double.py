@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import ClassVar
 
 from pendula._messages import ArgumentError
@@ -14,6 +15,7 @@ _NONE = (0.0, 0.0)
 _IN_JOINTS = ("viscous", "coulomb")
 
 
+@dataclass(frozen=True, init=False, repr=False)
 class DampedDoublePendulum(SystemOfForms):
     """The double pendulum with friction in its joints; make one with `rods`, `bobs` or `bodies`.
 

@@ -23,6 +23,7 @@ class NormalModes:
     shapes: tuple[tuple[float, float], tuple[float, float]]
 
 
+@dataclass(frozen=True, init=False, repr=False)
 class DoublePendulum(SystemOfForms):
     """The planar double pendulum; make one with `rods`, `bobs` or `bodies`.
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, ClassVar, TypedDict
 
 from pendula.systems.base import STANDARD_GRAVITY
@@ -27,6 +28,7 @@ class Real(TypedDict, total=False):
     pivot_direction: float  # of the pivot's motion, from the x axis [rad]
 
 
+@dataclass(frozen=True, init=False, repr=False)
 class DrivenPendulum(SystemOfForms):
     """One rigid body with friction, a driving torque and a moving pivot.
 
