@@ -33,7 +33,7 @@ from pendula.events import flip
 from pendula.run.trust import DigitsError
 
 RODS, SIMPLE = DoublePendulum.rods(gravity=9.81), SimplePendulum(0.5, 9.81)
-DRY = DrivenPendulum.bob(coulomb=0.1)
+DRY = DrivenPendulum.bob(coulomb=0.1)._description()
 ROWS = _engine.rule_rows()
 
 
@@ -73,14 +73,8 @@ BROKEN: dict[str, tuple[str, _engine.Request]] = {
         "method",
         asked(system=RODS._description(), state=np.zeros(4), method="verlet", step=0.1),
     ),
-    "needs_conservative": (
-        "method",
-        asked(system=DRY._description(), method="gauss4", step=0.1),
-    ),
-    "backward_of_dry_friction": (
-        "t",
-        asked(system=DRY._description(), times=np.array([-1.0])),
-    ),
+    "needs_conservative": ("method", asked(system=DRY, method="gauss4", step=0.1)),
+    "backward_of_dry_friction": ("t", asked(system=DRY, times=np.array([-1.0]))),
     "differs_from_start": ("t", asked(times=np.array([0.0]), own_steps=True)),
     "one_end": ("t", asked(own_steps=True)),
     "monotonic": ("t", asked(times=np.array([0.1, 0.2, 0.3, 0.4, 0.0]))),

@@ -104,8 +104,9 @@ struct joint_motion {
 };
 
 // With friction that changes from piece to piece of the motion (drive/pieces.hpp): `senses` say which way each joint
-// slips, 1 or −1, or that it sticks, 0, and `rhs_in_piece` keeps to them. `driven`: the torques change at rest, too. `holding` is the torque up to which each
-// joint can stick, `switching` whether its friction changes at all, in the units of `joints_at`.
+// slips, 1 or −1, or that it sticks, 0, and `rhs_in_piece` keeps to them. `driven`: the torques change at rest, too.
+// `holding` is the torque up to which each joint can stick, `switching` whether its friction changes at all, in the
+// units of `joints_at`.
 template <class Sys>
 concept Piecewise =
     Energetic<Sys> && requires(Sys& system, const typename Sys::scalar& t, const typename Sys::state& y) {
@@ -113,7 +114,7 @@ concept Piecewise =
       { system.rhs_in_piece(t, y) } -> std::same_as<typename Sys::state>;
       { system.holding() } -> std::same_as<vec<typename Sys::scalar, Sys::joints>>;
       { system.switching() } -> std::same_as<std::array<bool, Sys::joints>>;
-  { system.driven() } -> std::same_as<bool>;
+      { system.driven() } -> std::same_as<bool>;
       { system.joints_at({t, t}, y) } -> std::same_as<joint_motion<typename Sys::scalar, Sys::joints>>;
       { system.with_joint_at_rest(y, 0) } -> std::same_as<typename Sys::state>;
     };
