@@ -174,7 +174,8 @@ def ensemble(
     warn_of_stiffness(systems[:_LOOKED_AT], abs(float(task.t[-1]) - task.t0))
     count = checked_threads(threads)
     derived_by = checked_derivatives(derivatives, systems[0])
-    check_method(derived_by, task.method, task.digits)
+    if derived_by:
+        check_method(task.method, task.digits)
     asked = system if isinstance(system, System) else systems
     if task.digits is None:
         runs = part(report, 0.0, 0.2 if derived_by else 1.0)

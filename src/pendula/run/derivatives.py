@@ -50,10 +50,10 @@ def checked_derivatives(asked: object, system: System) -> tuple[str, ...]:
     Raises:
         ValueError: for a name that the system does not have.
     """
-    groups = {"state": system.components, "parameters": tuple(system.parameters)}
-    groups["all"] = groups["state"] + groups["parameters"]
     if asked is None:
         return ()
+    groups = {"state": system.components, "parameters": tuple(system.parameters)}
+    groups["all"] = groups["state"] + groups["parameters"]
     if isinstance(asked, str) and asked in groups:
         return groups[asked]
     names = (asked,) if isinstance(asked, str) or not isinstance(asked, Iterable) else tuple(asked)
@@ -65,13 +65,13 @@ def checked_derivatives(asked: object, system: System) -> tuple[str, ...]:
     return tuple(dict.fromkeys(map(str, names)))
 
 
-def check_method(names: tuple[str, ...], method: str, digits: int | None) -> None:
+def check_method(method: str, digits: int | None) -> None:
     """Derivatives come of the Taylor method, with the digits of doubles.
 
     Raises:
         ValueError: for another method, or a run with `digits`.
     """
-    if names and (method != "taylor" or digits is not None):
+    if method != "taylor" or digits is not None:
         given = f"method={method!r}" if digits is None else f"digits={digits}"
         rule = f"come of the Taylor method with the digits of a double, got {given}"
         raise ArgumentError("derivatives", rule, 'take <method="taylor">, without digits')
@@ -79,8 +79,6 @@ def check_method(names: tuple[str, ...], method: str, digits: int | None) -> Non
 
 def with_derivatives(run: Trajectory, names: tuple[str, ...], progress: Progress) -> Trajectory:
     """The run, with its derivatives by components of the start and parameters."""
-    if not names:
-        return run
     system, d = run.system, run.request.state.size
     everything = names_derived_by(system.name, system.form)
     found = _engine.derivatives(

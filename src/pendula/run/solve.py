@@ -73,18 +73,17 @@ def solve(
     check_system(system)
     report: Progress = checked_progress(progress)
     name = checked_name(method)
-    derived_by = checked_derivatives(derivatives, system)
     asked = request_of(system, state, t, name, t0, **options)
-    check_method(derived_by, name, asked.digits)
+    derived_by = checked_derivatives(derivatives, system)
+    if derived_by:
+        check_method(name, asked.digits)
     warn_of_degrees("state", state, asked.state[: system.can.degrees_of_freedom])
     warn_of_stiffness([system], abs(asked.end - asked.t0))
     if asked.digits is not None:
         return _solve_digits(system, asked, report)
-    result = _engine.solve(
-        asked.for_core(system, name), part(report, 0.0, 0.2 if derived_by else 1.0)
-    )
-    run = trajectory_of(system, name, asked, result)
-    return with_derivatives(run, derived_by, part(report, 0.2, 1.0))
+    first = part(report, 0.0, 0.2) if derived_by else report
+    run = trajectory_of(system, name, asked, _engine.solve(asked.for_core(system, name), first))
+    return with_derivatives(run, derived_by, part(report, 0.2, 1.0)) if derived_by else run
 
 
 def trajectory_of(

@@ -22,6 +22,17 @@ inline int taylor_order(double log2_of_tolerance) {
   return 2 * static_cast<int>(std::ceil(pairs - 1e-3));
 }
 
+// Where an order is a few products, a run of one trajectory waits for the one before longer than it works: a system can
+// ask for more of them, which make longer steps.
+template <class Sys>
+constexpr int more_orders() {
+  if constexpr (requires { Sys::more_orders; }) {
+    return Sys::more_orders;
+  } else {
+    return 0;
+  }
+}
+
 template <Analytic Sys>
 class taylor_stepper {
  public:
@@ -32,7 +43,7 @@ class taylor_stepper {
   static constexpr double precision_inside = 0x1p-50;  // of the motion inside a step, in parts of its change
 
   taylor_stepper(const Sys& system, double log2_of_tolerance)
-      : order_(taylor_order(log2_of_tolerance)),
+      : order_(taylor_order(log2_of_tolerance) + more_orders<Sys>()),
         series_(order_),
         inverse_(static_cast<std::size_t>(order_) + 2),
         log2_of_error_(log2_of_tolerance - 5.0) {

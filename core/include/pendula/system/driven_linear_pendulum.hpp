@@ -70,7 +70,8 @@ class driven_linear_pendulum_series : public one_bob_series<S> {
   PENDULA_INLINE void expand(const driven_linear_pendulum::over<S>& of, const head_and_tail<S>& t,
                              const vec<S, 2>& point, const vec<S, 2>&, const S* inverse) {
     S* const w = this->velocity_.data();
-    harmonic_series<S> drive(of.drive, t);
+    harmonic_series<S> drive;
+    drive.start(of.drive, t);
     S angle = point[0];
     w[0] = point[1];
     for (int k = 0; k < this->order_; ++k) {

@@ -3,17 +3,55 @@
 // with σ = ±1 for the piece of the motion. What has a coefficient of zero is left out.
 #pragma once
 
+#include "pendula/scalar/machine.hpp"
 #include "pendula/system/driven_pendulum.hpp"
 
 namespace pendula::inline PENDULA_MACHINE {
+
+namespace detail {
+
+// Orders of sine and cosine, for any scalar and, for one trajectory of doubles, in two lanes: the same operations on
+// the same numbers.
+template <class S>
+struct sine_with_cosine {
+  S sine, cosine;
+
+  PENDULA_INLINE S first() const { return sine; }
+  PENDULA_INLINE S second() const { return cosine; }
+  PENDULA_INLINE static sine_with_cosine of(const S& s, const S& c) { return {s, c}; }
+  PENDULA_INLINE friend sine_with_cosine operator+(const sine_with_cosine& a, const sine_with_cosine& b) {
+    return {a.sine + b.sine, a.cosine + b.cosine};
+  }
+  PENDULA_INLINE friend sine_with_cosine operator*(const sine_with_cosine& a, const S& b) {
+    return {a.sine * b, a.cosine * b};
+  }
+  // The next order: s' = c ω, c' = −s ω.
+  PENDULA_INLINE sine_with_cosine integrated(const S& inverse) const { return {cosine * inverse, sine * -inverse}; }
+};
+template <>
+struct sine_with_cosine<double> {
+  pack<double, 2> both;
+
+  PENDULA_INLINE double first() const { return both[0]; }
+  PENDULA_INLINE double second() const { return both[1]; }
+  PENDULA_INLINE static sine_with_cosine of(double s, double c) { return {lanes_of(s, c)}; }
+  PENDULA_INLINE friend sine_with_cosine operator+(sine_with_cosine a, sine_with_cosine b) { return {a.both + b.both}; }
+  PENDULA_INLINE friend sine_with_cosine operator*(sine_with_cosine a, double b) {
+    return {a.both * pack<double, 2>(b)};
+  }
+  PENDULA_INLINE sine_with_cosine integrated(double inverse) const {
+    return {rearranged<1, 0>(both) * lanes_of(inverse, -inverse)};
+  }
+};
+
+}  // namespace detail
 
 template <class S>
 class driven_pendulum_series : public one_bob_series<S> {
  public:
   explicit driven_pendulum_series(int order)
       : one_bob_series<S>(order),
-        sine_(this->velocity_.size()),
-        cosine_(this->velocity_.size()),
+        turned_(this->velocity_.size()),
         square_(this->velocity_.size()),
         pivot_(this->velocity_.size()) {}
 
@@ -22,14 +60,15 @@ class driven_pendulum_series : public one_bob_series<S> {
     S* const w = this->velocity_.data();
     if (!present(of.senses[0])) return this->velocity_.assign(this->velocity_.size(), S(0.0));
     const auto [s, c] = sincos_with_tail(sincos(point[0]), tail[0]);
-    sine_[0] = s;
-    cosine_[0] = c;
+    turned_[0] = pair::of(s, c);
     w[0] = point[1];
     const bool driven = present(of.drive.amplitude), moved = present(of.pivot.amplitude);
     const bool cubic = present(of.cubic), squared = cubic || present(of.quadratic);
-    harmonic_series<S> drive(of.drive, t), pivot(of.pivot, t);
+    harmonic_series<S> drive, pivot;
+    if (driven) drive.start(of.drive, t);
+    if (moved) pivot.start(of.pivot, t);
     for (int k = 0; k < this->order_; ++k) {
-      S rate = -(of.frequency_squared * sine_[k]);
+      S rate = -(of.frequency_squared * turned_[k].first());
       if (k == 0 && present(of.coulomb)) rate = rate - of.senses[0] * of.coulomb;
       if (driven) rate = rate + drive.order();
       if (moved) rate = rate + moved_by(of, k, pivot.order());
@@ -43,33 +82,28 @@ class driven_pendulum_series : public one_bob_series<S> {
   }
 
  private:
-  // Order k + 1 of sine and cosine; terms with the newest numbers come last: the others need not wait.
+  using pair = detail::sine_with_cosine<S>;
+
+  // Order k + 1 of sine and cosine, from the middle of the product outward: the sums of the older terms are there when
+  // the newest numbers come.
   PENDULA_INLINE void turn(int k, const S& inverse) {
     const S* const w = this->velocity_.data();
-    S of_sine(0.0), of_cosine(0.0);
-    for (int j = 1; j < k; ++j) {
-      of_sine = of_sine + sine_[j] * w[k - j];
-      of_cosine = of_cosine + cosine_[j] * w[k - j];
+    pair newer = pair::of(S(0.0), S(0.0)), older = newer;
+    for (int j = k / 2; j >= 1; --j) {
+      older = older + turned_[j] * w[k - j];
+      if (2 * j != k) newer = newer + turned_[k - j] * w[j];
     }
-    of_sine = of_sine + sine_[0] * w[k];
-    of_cosine = of_cosine + cosine_[0] * w[k];
-    if (k > 0) {
-      of_sine = of_sine + sine_[k] * w[0];
-      of_cosine = of_cosine + cosine_[k] * w[0];
-    }
-    sine_[k + 1] = of_cosine * inverse;
-    cosine_[k + 1] = -(of_sine * inverse);
+    pair sum = (older + newer) + turned_[0] * w[k];
+    if (k > 0) sum = sum + turned_[k] * w[0];
+    turned_[k + 1] = sum.integrated(inverse);
   }
 
   // Order k of what the pivot's motion adds.
   PENDULA_INLINE S moved_by(const driven_pendulum::over<S>& of, int k, const S& order) {
     pivot_[k] = order;
-    S of_sine(0.0), of_cosine(0.0);
-    for (int j = 0; j <= k; ++j) {
-      of_sine = of_sine + pivot_[j] * sine_[k - j];
-      of_cosine = of_cosine + pivot_[j] * cosine_[k - j];
-    }
-    return of.across * of_cosine + of.along * of_sine;
+    pair sum = pair::of(S(0.0), S(0.0));
+    for (int j = 0; j <= k; ++j) sum = sum + turned_[k - j] * pivot_[j];
+    return of.across * sum.second() + of.along * sum.first();
   }
 
   // Order k of σ d ω² + r ω³.
@@ -83,7 +117,8 @@ class driven_pendulum_series : public one_bob_series<S> {
     return of.senses[0] * of.quadratic * of_square + of.cubic * of_cube;
   }
 
-  std::vector<S> sine_, cosine_, square_, pivot_;
+  std::vector<pair> turned_;
+  std::vector<S> square_, pivot_;
 };
 
 }  // namespace pendula::inline PENDULA_MACHINE

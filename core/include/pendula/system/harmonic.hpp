@@ -55,7 +55,8 @@ struct harmonic {
 template <class S>
 class harmonic_series {
  public:
-  PENDULA_INLINE harmonic_series(const harmonic<S>& of, const head_and_tail<S>& t) : frequency_(of.frequency) {
+  PENDULA_INLINE void start(const harmonic<S>& of, const head_and_tail<S>& t) {
+    frequency_ = of.frequency;
     const auto [s, c] = of.turned(t);
     cosine_ = of.amplitude * c;
     sine_ = of.amplitude * s;
@@ -68,7 +69,7 @@ class harmonic_series {
   }
 
  private:
-  S frequency_, cosine_, sine_;
+  S frequency_{0.0}, cosine_{0.0}, sine_{0.0};
 };
 
 }  // namespace pendula::inline PENDULA_MACHINE
