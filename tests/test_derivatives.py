@@ -191,6 +191,17 @@ def test_an_ensemble_has_the_derivatives_of_each_of_its_runs() -> None:
             assert np.array_equal(found, alone)
 
 
+def test_a_dataset_holds_them_by_name() -> None:
+    system, start, end = REAL[3]
+    run = solve(system, start, [1.0, end], derivatives=("omega2", "coulomb1"))
+    data = run.to_xarray()
+    assert run.derivatives is not None
+    found = data["derivatives"].sel(component="theta1", derived_by="coulomb1")
+    assert np.array_equal(found, run.derivatives[:, 0, 1])
+    assert np.array_equal(data["work"] - data["heat"], run.work - run.heat)
+    assert "derivatives" not in solve(system, start, [1.0]).to_xarray()
+
+
 def test_what_derivatives_are_asked_for_wrongly() -> None:
     rods = DoublePendulum.rods()
     message = told(solve, rods, (1.0, 1.0, 0.0, 0.0), 1.0, derivatives="theta")

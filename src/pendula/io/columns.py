@@ -26,6 +26,8 @@ def columns(trajectory: Trajectory) -> dict[str, tuple[str, Array]]:
     table["kinetic_energy"] = ("J", trajectory.kinetic_energy)
     table["potential_energy"] = ("J", trajectory.potential_energy)
     table["energy_error"] = ("1", trajectory.energy_error)
+    if any(_engine.powers(trajectory.system.name)) and trajectory.request.digits is None:
+        table["work"], table["heat"] = ("J", trajectory.work), ("J", trajectory.heat)
     return table
 
 

@@ -14,7 +14,7 @@ from pendula._checks import extra
 from pendula.io.attributes import attributes
 from pendula.io.csv_files import read_csv, write_csv
 from pendula.io.netcdf import read_netcdf, write_netcdf
-from pendula.io.tables import to_pandas, to_xarray
+from pendula.io.tables import stored_dataset, to_pandas
 from pendula.io.whole import Stored, damaged
 
 if TYPE_CHECKING:
@@ -60,7 +60,9 @@ def _read_parquet(path: Path) -> Iterator[Stored]:
 
 def _write_zarr(trajectory: Trajectory, path: Path) -> None:
     extra("zarr", "io")
-    to_xarray(trajectory).to_zarr(path, zarr_format=3, consolidated=False, write_empty_chunks=True)
+    stored_dataset(trajectory).to_zarr(
+        path, zarr_format=3, consolidated=False, write_empty_chunks=True
+    )
 
 
 @contextmanager

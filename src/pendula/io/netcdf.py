@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 from pendula._attributes import KEY
 from pendula._checks import extra
 from pendula.io.checksums import of_bytes
-from pendula.io.tables import to_xarray
+from pendula.io.tables import stored_dataset
 from pendula.io.whole import Stored, damaged
 
 if TYPE_CHECKING:
@@ -32,7 +32,7 @@ _HEADER = 16  # bytes in front of the objects of a heap, and of each object
 def write_netcdf(trajectory: Trajectory, path: Path) -> None:
     """Write with h5netcdf, and seal."""
     extra("h5netcdf", "io")
-    to_xarray(trajectory).to_netcdf(path, engine="h5netcdf")
+    stored_dataset(trajectory).to_netcdf(path, engine="h5netcdf")
     checksum = of_bytes(path.read_bytes())
     with path.open("ab") as file:
         file.write(f"\npendula blake2b {checksum}\n".encode())

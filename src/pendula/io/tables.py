@@ -45,10 +45,22 @@ def to_xarray(trajectory: Trajectory) -> xr.Dataset:
     """A dataset over t, units on each variable (extra: io).
 
     For several motions also over trajectory; for a grid of them, from states (m1, m2, …, d), over
-    trajectory1, trajectory2 and so on.
+    trajectory1, trajectory2 and so on. Derivatives are over component and derived_by, too; files
+    do not hold them.
 
     Its attribute "pendula" describes the run as JSON, from which `rerun` repeats the run.
     """
+    dataset = stored_dataset(trajectory)
+    if trajectory.derivatives is not None:
+        over = (*dataset["energy_error"].dims, "component", "derived_by")
+        dataset["derivatives"] = (over, trajectory.derivatives)
+        dataset["component"] = list(trajectory.system.components)
+        dataset["derived_by"] = list(trajectory.derivative_names)
+    return dataset
+
+
+def stored_dataset(trajectory: Trajectory) -> xr.Dataset:
+    """What files hold of the dataset."""
     xarray = extra("xarray", "io")
     axes = trajectory.states.ndim - 2
     grid = ["trajectory"] if axes == 1 else [f"trajectory{i}" for i in range(1, axes + 1)]
