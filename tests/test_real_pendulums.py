@@ -21,6 +21,7 @@ from pendula import (
     exact,
     solve,
 )
+from pendula.events import velocity_zero
 from pendula.plot import svg
 from stored import document
 
@@ -162,6 +163,23 @@ def test_dry_friction_holds_a_release_from_rest() -> None:
     assert run.pieces.start.tolist() == [0.0]
     assert run.n_steps == 1  # nothing will change
     assert solve(held, (0.21, 0.0), 10.0).states[-1, 0] != 0.21
+
+
+@pytest.mark.parametrize("speed", [6.505, 6.51])
+def test_dry_friction_can_hold_it_beside_the_top(speed: float) -> None:
+    run = solve(DrivenPendulum.bob(coulomb=0.5), (0.0, speed), 60.0)
+    assert abs(run.theta[-1] - math.pi) < math.asin(0.5 / DrivenPendulum.bob().gravity)
+    assert run.omega[-1] == 0.0
+    assert run.pieces.states.ravel().tolist() == [0.0]
+
+
+def test_turning_and_stopping_are_events_of_the_velocity() -> None:
+    for method in ("taylor", "dop853"):
+        run = solve(
+            DrivenPendulum.bob(coulomb=0.2), (1.0, 0.0), 60.0, method, events=velocity_zero(1)
+        )
+        assert np.array_equal(run.events[0].times, run.pieces.times)
+        assert (np.abs(run.events[0].states[:, 1]) < 1e-14).all()
 
 
 def test_it_breaks_loose_where_the_drive_passes_friction() -> None:
