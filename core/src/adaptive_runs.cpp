@@ -11,12 +11,11 @@ namespace {
 using namespace pendula;
 
 template <class Memory>
-step_memory packed(const compensated_point<vec<double, 1>>& time, const Memory& memory) {
-  static_assert(sizeof time + sizeof memory <= sizeof(step_memory));
-  step_memory all{};
-  std::memcpy(all.data(), &time, sizeof time);
-  std::memcpy(all.data() + 2, &memory, sizeof memory);
-  return all;
+void pack(const compensated_point<vec<double, 1>>& time, const Memory& memory, step_memory& all) {
+  static_assert(sizeof time + sizeof memory <= sizeof all.numbers);
+  std::memcpy(all.numbers.data(), &time, sizeof time);
+  std::memcpy(all.numbers.data() + 2, &memory, sizeof memory);
+  all.count = (sizeof time + sizeof memory) / sizeof(double);
 }
 
 // The step that a run stands in, for those who look inside it.
@@ -34,7 +33,7 @@ struct motion_of final : step_motion {
   void state(double tau, double* to) const override {
     std::ranges::copy(run.stepper().state_of(run.stepper().after(tau)), to);
   }
-  step_memory memory() const override { return packed(run.time(), run.stepper().remembered()); }
+  void remember(step_memory& to) const override { pack(run.time(), run.stepper().remembered(), to); }
 
   const Run& run;
   double length;
@@ -138,8 +137,8 @@ run_end revisit(const request& asked, const step_memory& from, receiver& to) {
   return with_stepper(asked, [&]<class Stepper>(Stepper& stepper) {
     compensated_point<vec<double, 1>> time;
     typename Stepper::memory memory;
-    std::memcpy(&time, from.data(), sizeof time);
-    std::memcpy(static_cast<void*>(&memory), from.data() + 2, sizeof memory);
+    std::memcpy(&time, from.numbers.data(), sizeof time);
+    std::memcpy(static_cast<void*>(&memory), from.numbers.data() + 2, sizeof memory);
     stepper.resume(memory);
     adaptive_run<Stepper> run(stepper, time, asked.end(), asked.direction());
     return run.to_end(asked.step_limit(), reporter<adaptive_run<Stepper>>(asked.times, 0, to), polls_of(to));

@@ -20,13 +20,23 @@ watcher part_of(const watcher& whole, double from, double to) {
 void step_starts::add(const step_motion& motion) {
   constexpr std::size_t most = std::size_t{1} << 14;  // 3 MB
   if (counted_++ % stride_ != 0) return;
-  if (starts_.size() == most) {
-    for (std::size_t i = 0; 2 * i < most; ++i) starts_[i] = starts_[2 * i];
-    starts_.resize(most / 2);
+  if (size() == most) {
+    for (std::size_t i = 0; 2 * i < most; ++i)
+      std::copy_n(numbers_.data() + 2 * i * width_, width_, numbers_.data() + i * width_);
+    numbers_.resize(most / 2 * width_);
     stride_ *= 2;
     if ((counted_ - 1) % stride_ != 0) return;
   }
-  starts_.push_back(motion.memory());
+  step_memory start;
+  motion.remember(start);
+  width_ = start.count;
+  numbers_.insert(numbers_.end(), start.numbers.begin(), start.numbers.begin() + static_cast<std::ptrdiff_t>(width_));
+}
+
+step_memory step_starts::operator[](std::size_t i) const {
+  step_memory start{{}, width_};
+  std::copy_n(numbers_.data() + i * width_, width_, start.numbers.begin());
+  return start;
 }
 
 namespace {

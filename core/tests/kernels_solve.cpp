@@ -166,7 +166,7 @@ BOOST_AUTO_TEST_CASE(of_many_steps_every_so_many_are_kept) {
     double time_after(double tau) const override { return number + tau; }
     void state(double, double*) const override {}
     void angles(double, double*) const override {}
-    step_memory memory() const override { return {number}; }
+    void remember(step_memory& to) const override { to = {{number}, 1}; }
   };
   step_starts starts;
   for (numbered step; step.number < 100'000; ++step.number) starts.add(step);

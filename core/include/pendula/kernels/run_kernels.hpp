@@ -11,8 +11,11 @@
 
 namespace pendula {
 
-// What a run can be taken up from: the time (head and tail) and the stepper's memory.
-using step_memory = std::array<double, 24>;
+// What a run can be taken up from: the time (head and tail) and the stepper's memory, so many numbers.
+struct step_memory {
+  std::array<double, 24> numbers;
+  std::size_t count;
+};
 
 struct two_doubles {  // an unevaluated sum
   double head, tail;
@@ -25,7 +28,7 @@ struct step_motion {
   virtual double time_after(double tau) const = 0;        // since the start
   virtual void angles(double tau, double* to) const = 0;  // at that time
   virtual void state(double tau, double* to) const = 0;
-  virtual step_memory memory() const = 0;
+  virtual void remember(step_memory& to) const = 0;
 
  protected:
   ~step_motion() = default;

@@ -16,12 +16,13 @@ run_result solve(const request&, const watcher&);
 class step_starts {
  public:
   void add(const step_motion&);
-  std::size_t size() const { return starts_.size(); }
-  const step_memory& operator[](std::size_t i) const { return starts_[i]; }
-  double time(std::size_t i) const { return starts_[i][0]; }
+  std::size_t size() const { return width_ == 0 ? 0 : numbers_.size() / width_; }
+  step_memory operator[](std::size_t i) const;
+  double time(std::size_t i) const { return numbers_[i * width_]; }
 
  private:
-  std::vector<step_memory> starts_;
+  std::vector<double> numbers_;  // those of one start after the other: no more than there are, as memory is slow
+  std::size_t width_ = 0;
   std::int64_t stride_ = 1, counted_ = 0;
 };
 
