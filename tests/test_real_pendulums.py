@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import itertools
 import math
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -265,6 +266,13 @@ def test_linear_pendulums_with_and_without_friction_go_together() -> None:
         many = ensemble(systems, (0.5, 0.1), t, method, **options)
         for states, each in zip(many.states, systems, strict=True):
             assert np.array_equal(states, solve(each, (0.5, 0.1), t, method, **options).states)
+
+
+def test_the_pieces_are_those_of_the_run_that_was_made() -> None:
+    run = solve(DrivenPendulum.bob(coulomb=0.2), (1.0, 0.0), 60.0)
+    again = replace(run, changes=None).pieces
+    assert "_result_again" not in vars(run)  # no second run was needed
+    assert all(np.array_equal(a, b) for a, b in zip(run.pieces, again, strict=True))
 
 
 def test_what_real_pendulums_refuse() -> None:

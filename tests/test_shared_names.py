@@ -16,7 +16,7 @@ RODS = DoublePendulum.rods(gravity=9.81)
 SHARED = ("n_steps", "n_evaluations", "reached", "events", "trust_horizon", "states", "t", "method")
 DERIVED = ("derivatives", "derivative_names")
 PLURAL = {"outcome": "outcomes", "system": "systems"}
-OF_ONE = {"request", "precision", "dense", "event_derivatives"}  # of a trajectory alone
+OF_ONE = {"request", "precision", "dense", "event_derivatives", "changes"}  # of a trajectory alone
 OF_MANY = {"starts", "task"}  # of an ensemble, whose task holds the method and the times
 
 

@@ -163,6 +163,7 @@ derivatives = _core.derivatives
 ensemble_derivatives = _core.ensemble_derivatives
 RunResult = _core.RunResult
 Crossings = _core.Crossings
+Pieces = _core.Pieces
 DenseOutput = _core.DenseOutput
 OUTCOMES = tuple(_core.outcomes())  # how runs end, by number
 ensemble = _core.ensemble

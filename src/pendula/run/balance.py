@@ -46,6 +46,12 @@ class Pieces(NamedTuple):
     start: Array
 
 
+def pieces_of(found: _engine.Pieces, joints: int) -> Pieces:
+    """Those that the core gave, whose first is the start's."""
+    times, states = found.times, found.senses(joints)
+    return Pieces(times[1:], states[1:], states[:1].ravel())
+
+
 def balance_of(run: Trajectory) -> EnergyBalance:
     """The balance of a run's energy; that of a closed form is integrated along the Taylor method.
 

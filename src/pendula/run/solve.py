@@ -103,6 +103,7 @@ def trajectory_of(
         result.reached,
         events=crossings_of(result.events, dimension),
         trust_horizon=result.trust_horizon,
+        changes=result.pieces,
         dense=result.dense,
     )
 

@@ -12,7 +12,7 @@ from pendula._checks import finite_array
 from pendula._late_methods import with_promised
 from pendula._messages import ArgumentError
 from pendula._tables import html_table
-from pendula.run.balance import EnergyBalance, Pieces, balance_of
+from pendula.run.balance import EnergyBalance, Pieces, balance_of, pieces_of
 from pendula.run.closed_form import exact_states
 from pendula.run.facts import facts_of
 
@@ -57,6 +57,7 @@ class Trajectory:
         events: times and states of each event asked for, in that order.
         trust_horizon: first time at which an angle of the run is off by more than `certify` [s];
             inf: not within the run; None: not asked.
+        changes: what the run left for `pieces`; None: `pieces` makes the run again.
         dense: what a run with steps of its own left for `at`; None: `at` makes the run again.
         precision: decimal digits that a run with `digits` was computed with; None: a double's.
         derivatives: of the states by what `derivative_names` says, (n, d, k); None: not asked.
@@ -79,6 +80,7 @@ class Trajectory:
     derivatives: Array | None = None
     derivative_names: tuple[str, ...] = ()
     event_derivatives: tuple[CrossingDerivatives, ...] = ()
+    changes: _engine.Pieces | None = field(default=None, repr=False)
     dense: _engine.DenseOutput | None = field(default=None, repr=False)
 
     @property
@@ -143,9 +145,8 @@ class Trajectory:
     @property
     def pieces(self) -> Pieces:
         """When friction in a joint changed, and which way each slips from then on (1, -1, 0)."""
-        found, joints = self._result_again.pieces, self.system.can.degrees_of_freedom
-        times, states = found.times, found.senses(joints)
-        return Pieces(times[1:], states[1:], states[:1].ravel())
+        found = self._result_again.pieces if self.changes is None else self.changes
+        return pieces_of(found, self.system.can.degrees_of_freedom)
 
     @property
     def energy_error_name(self) -> str:
@@ -232,9 +233,9 @@ class Trajectory:
         return _engine.solve(self.request.for_core(self.system, self.method), None)
 
     def __getstate__(self) -> dict[str, Any]:
-        """Without the dense output, which can be made again."""
+        """Without what the core keeps of the run, which can be made again."""
         kept = {field.name: getattr(self, field.name) for field in fields(self)}
-        return {**kept, "dense": None}
+        return {**kept, "dense": None, "changes": None}
 
     if TYPE_CHECKING:  # attached by the modules that define them
 

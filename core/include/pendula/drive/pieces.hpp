@@ -41,10 +41,10 @@ inline double first_fall(const polynomial& p, double noise) {
 
 }  // namespace detail
 
-// Follows the pieces of one run, step by step; without friction there is nothing to follow.
 template <class Stepper>
 using system_under = std::remove_cvref_t<decltype(std::declval<const Stepper&>().of())>;
 
+// Follows the pieces of one run, step by step; without friction there is nothing to follow.
 template <class Stepper>
 class piece_follower {};
 
