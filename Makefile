@@ -86,7 +86,7 @@ bench: .venv/bench
 
 lock: .tools/bin/uv
 	$(UV) pip compile -q --upgrade --universal --generate-hashes --no-emit-index-url --no-header --python-version 3.11 \
-	  --extra io --extra report --extra cluster --extra animation --group build --group dev pyproject.toml -o requirements.lock
+	  --extra io --extra report --extra cluster --extra animation --extra fit --group build --group dev pyproject.toml -o requirements.lock
 	$(UV) pip compile -q --upgrade --universal --generate-hashes --no-emit-index-url --no-header --python-version 3.11 \
 	  --group bench -c requirements.lock pyproject.toml -o requirements-bench.lock
 

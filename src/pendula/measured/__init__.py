@@ -1,0 +1,1 @@
+"""Recordings of real pendulums: read, fitted, compared with models."""
