@@ -309,6 +309,11 @@ def exact(description: Description, states: Annotated[NDArray[numpy.float64], di
     States (m, n, 2) at times t (n,) from states (m, 2) at t0, into `out`; false where one is too large.
     """
 
+def exact_derivatives(description: Description, state: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], t: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], t0: float, columns: Sequence[int]) -> NDArray[numpy.float64]:
+    """
+    Derivatives (n, 2, columns) at times t (n,) of the motion from a state (2,) at t0.
+    """
+
 def periods(description: Description, states: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)]) -> NDArray[numpy.float64]:
     """Periods of states (m, 2) [s]."""
 

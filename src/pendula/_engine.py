@@ -172,6 +172,7 @@ trust_horizon = _core.trust_horizon
 long_run = _core.long_run
 long_run_digits = _core.long_run_digits
 exact = _core.exact
+exact_derivatives = _core.exact_derivatives
 periods = _core.periods
 actions = _core.actions
 times_at = _core.times_at
