@@ -160,7 +160,6 @@ check_system = _core.check_system
 solve = _core.solve
 balance = _core.balance
 derivatives = _core.derivatives
-ensemble_derivatives = _core.ensemble_derivatives
 RunResult = _core.RunResult
 Crossings = _core.Crossings
 Pieces = _core.Pieces

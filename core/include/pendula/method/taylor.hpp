@@ -110,6 +110,11 @@ class taylor_stepper {
     ++expansions_;
   }
   R length() const { return length_ * unit_; }
+  // For the series of the motion's variations.
+  const typename Sys::series& series() const { return series_; }
+  const S* inverse() const { return inverse_.data(); }
+  int order() const { return order_; }
+  S in_units(S tau) const { return tau * S(in_units_); }
 
   PENDULA_INLINE point after(S tau) const { return after_units(tau * S(in_units_)); }
   // The end of the step, which is after(length()): the next one waits for it.
