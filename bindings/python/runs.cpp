@@ -15,6 +15,7 @@
 #include "pendula/kernels/horizon.hpp"
 #include "pendula/kernels/long_runs.hpp"
 #include "pendula/kernels/solve.hpp"
+#include "pendula/kernels/variations.hpp"
 #include "request.hpp"
 
 using namespace pendula_python;
@@ -79,6 +80,26 @@ ensemble_result ensemble(const request& asked, const matrix_in& states, const ma
   auto result = released([&] {
     const auto workers = pendula::threads(threads);
     return pendula::run_ensemble(asked, rows, columns, *workers, watch);
+  });
+  if (result.interrupted) throw nb::python_error();
+  return result;
+}
+
+ensemble_result varied(const request& asked, std::string_view use, const matrix_in& variations, const matrix_in& states,
+                       const matrix_in& parameters, std::size_t threads, nb::object progress) {
+  const std::string_view uses[] = {"free", "megno", "orthogonal"};
+  const auto found = std::ranges::find(uses, use);
+  const std::size_t count = variations.shape(0), d = states.shape(1);
+  const bool as_many = count >= 1 && count <= std::min(d, pendula::most_variations) && variations.shape(1) == d;
+  if (found == std::end(uses) || !as_many || pendula::check(asked)) throw nb::value_error("no such variations");
+  const auto given = span_of(variations);
+  const pendula::varied_by by{static_cast<pendula::variation_use>(found - uses), count, {given.begin(), given.end()}};
+  const pendula::ensemble_rows rows{span_of(states), span_of(parameters), states.shape(0), d,
+                                    parameters.shape(0) == 1 ? 0 : parameters.shape(1)};
+  const auto watch = watching(std::move(progress));
+  auto result = released([&] {
+    const auto workers = pendula::threads(threads);
+    return pendula::run_varied(asked, by, rows, *workers, watch);
   });
   if (result.interrupted) throw nb::python_error();
   return result;
@@ -248,6 +269,10 @@ void bind_runs(nb::module_& m) {
       "ensemble", &ensemble, "request"_a, "states"_a, "parameters"_a, "columns"_a, "threads"_a, "progress"_a.none(),
       "The runs from states (n, d) with parameters (n, p), or (1, p) for all, in place of the request's own, and their "
       "derivatives by components of the start and, from their count on, parameters.");
+  m.def("varied", &varied, "request"_a, "use"_a, "variations"_a, "states"_a, "parameters"_a, "threads"_a,
+        "progress"_a.none(),
+        "The runs from states (n, d) with variations (k, d), "
+        "free, for the MEGNO of the one, or made orthogonal; `states` tells of them, too.");
   m.def("trust_horizon", &trust_horizon, "request"_a, "progress"_a.none(),
         "The trust horizon of a run that reached its end; infinite: not within the run.");
   m.def("outcomes", &outcome_names, nb::sig("def outcomes() -> list[str]"), "How runs end, by number.");

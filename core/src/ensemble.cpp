@@ -199,7 +199,8 @@ ensemble_result run_with_variations(const request& asked, const ensemble_rows& r
 }
 
 bool are_variations(const request& asked, const ensemble_rows& rows, std::span<const derived_by> columns) {
-  return !columns.empty() && variations_in_lanes(asked) && !asked.options.certify && asked.end() != asked.t0 &&
+  const bool in_lanes = asked.system.name == double_pendulum::name && asked.events.empty();
+  return !columns.empty() && in_lanes && !asked.options.certify && asked.end() != asked.t0 &&
          std::ranges::all_of(columns, [&](derived_by column) { return column < rows.dimension; });
 }
 
@@ -225,17 +226,19 @@ ensemble_result run_apart(const request& asked, const ensemble_rows& rows, std::
 
 }  // namespace
 
-bool variations_in_lanes(const request& asked) {
-  return asked.system.name == double_pendulum::name && asked.method == "taylor" && asked.events.empty();
-}
-
 ensemble_result run_varied(const request& asked, const varied_by& by, const ensemble_rows& rows, pool& workers,
                            const watcher& watch) {
   const std::size_t size = by.output_size(rows.dimension), outputs = asked.times.size();
   ensemble_result result = room_for(rows.count, outputs, size);
   result.interrupted = !workers.share_out(rows.count, watch, [&](std::size_t, shared_work& work) {
     worker to(work, result, outputs, size);
-    variation_kernel_for(rows.count).run(asked, by, rows, to);
+    if (variation_kernel_for(rows.count).run(asked, by, rows, to)) return;
+    request one = asked;
+    one.events.clear();
+    for (std::size_t n; (n = to.next()) != no_more_work;) {
+      take_row(rows, n, one);
+      vary_alone(one, by, to, n);
+    }
   });
   return result;
 }

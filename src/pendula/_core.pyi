@@ -278,6 +278,11 @@ def ensemble(request: Request, states: Annotated[NDArray[numpy.float64], dict(sh
     The runs from states (n, d) with parameters (n, p), or (1, p) for all, in place of the request's own, and their derivatives by components of the start and, from their count on, parameters.
     """
 
+def varied(request: Request, use: str, variations: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], states: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], parameters: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], threads: int, progress: object | None) -> EnsembleResult:
+    """
+    The runs from states (n, d) with variations (k, d), free, for the MEGNO of the one, or made orthogonal; `states` tells of them, too.
+    """
+
 def trust_horizon(request: Request, progress: object | None) -> float:
     """
     The trust horizon of a run that reached its end; infinite: not within the run.

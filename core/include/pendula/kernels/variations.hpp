@@ -38,9 +38,10 @@ struct variation_kernel {
 // For this processor: the widest, or, for a few rows, a narrower one.
 const variation_kernel& variation_kernel_for(std::size_t rows);
 
-// The runs of all rows with their variations: `states` holds what is told, (n, m, output_size). For requests and
-// systems that `variations_in_lanes` says.
-bool variations_in_lanes(const request&);
+// Of any system, one trajectory after the other.
+void vary_alone(const request&, const varied_by&, ensemble_receiver&, std::size_t trajectory);
+
+// The runs of all rows with their variations: `states` holds what is told, (n, m, output_size).
 ensemble_result run_varied(const request&, const varied_by&, const ensemble_rows&, pool&, const watcher&);
 
 }  // namespace pendula
