@@ -166,6 +166,7 @@ Pieces = _core.Pieces
 DenseOutput = _core.DenseOutput
 OUTCOMES = tuple(_core.outcomes())  # how runs end, by number
 ensemble = _core.ensemble
+varied = _core.varied
 EnsembleResult = _core.EnsembleResult
 trust_horizon = _core.trust_horizon
 long_run = _core.long_run

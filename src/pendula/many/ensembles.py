@@ -9,13 +9,13 @@ from typing import TYPE_CHECKING, Any
 
 from pendula import _engine
 from pendula._angles import warn_of_degrees
-from pendula._checks import checked_progress, finite_number, states_array
+from pendula._checks import checked_progress, checked_threads, finite_number, states_array
 from pendula._late_methods import with_promised
 from pendula._messages import ArgumentError
 from pendula._progress import part, with_bar
 from pendula._rules import broken, refuse
 from pendula._tables import html_table
-from pendula.many.tasks import Runs, Task, checked_threads, run_task
+from pendula.many.tasks import Runs, Task, run_task
 from pendula.run.derivatives import check_method, checked_derivatives
 from pendula.run.options import STANDARD_METHOD, checked_types, takes_options
 from pendula.run.request import checked_name, times_array

@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-import os
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, NamedTuple
 
 from pendula import _engine
-from pendula._checks import check_threads
 from pendula._rules import refuse
 from pendula.run.derivatives import names_derived_by
 from pendula.run.events import crossings_table
@@ -152,13 +150,3 @@ def _no_runs(task: Task, dimension: int, columns: int) -> Runs:
         trust_horizon=None if task.certify is None else none,
         derivatives=np.empty((0, task.t.size, dimension, columns)) if columns else None,
     )
-
-
-def checked_threads(threads: int | None) -> int:
-    """How many threads: those asked for, or one for each processor that this process may use."""
-    asked = check_threads(threads)
-    if asked is not None:
-        return asked
-    if hasattr(os, "sched_getaffinity"):
-        return len(os.sched_getaffinity(0))
-    return os.cpu_count() or 1
