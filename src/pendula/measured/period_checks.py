@@ -65,9 +65,9 @@ def checked_table(
     elif length is not None:
         known["length"] = np.full_like(period, positive_number("length", length, "m"))
     if "length" in known and known.get("bob_radius", 0.0) >= known["length"].min():
-        rule = "must be below the shortest length of {span:g} m, got {value} m"
+        rule = "must be below the shortest length of {shortest} m, got {value} m"
         shortest = float(known["length"].min())
-        raise ArgumentError("bob_radius", rule, value=known["bob_radius"], span=shortest)
+        raise ArgumentError("bob_radius", rule, value=known["bob_radius"], shortest=shortest)
     return CheckedTable(_law(table, known), period, known)
 
 

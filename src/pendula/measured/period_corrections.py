@@ -118,10 +118,9 @@ def _of_bob(known: Known) -> Any:
 def _of_string(known: Known) -> Any:
     # a uniform string from the pivot to the ball's surface: I = μ s³/3, torque μ g s²/2; the first
     # order, −μ s/6m of T², is that of Nelson & Olsson (1986)
-    length = known["length"]
-    string = length - known.get("bob_radius", 0.0)
-    density = known["string_density"] / known["bob_mass"]
-    inertia = 1.0 + density * string**3 / (3.0 * length**2)
+    length, radius = known["length"], known.get("bob_radius", 0.0)
+    string, density = length - radius, known["string_density"] / known["bob_mass"]
+    inertia = 1.0 + density * string**3 / (3.0 * (length**2 + 0.4 * radius**2))
     return inertia / (1.0 + density * string**2 / (2.0 * length))
 
 
