@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
-    from pendula._messages import Message
     from pendula._types import Array
     from pendula.measured.measurement import Measurement
+    from pendula.measured.words import Note
     from pendula.run.trajectory import Trajectory
     from pendula.systems import System
 
@@ -106,10 +106,10 @@ class Fit:
             "quality_factor", "period" of small swings ...
         aic: Akaike's criterion by the effective number of samples.
         bic: Schwarz's, likewise.
-        notes: what has to be known about this fit, a sentence each, as `Message`, so that it can be
-            worded elsewhere by its key `notes[i].details["key"]`.
-        flags: keys of warnings: "undamped_model", "gravity_unlikely", "poor_fit", "unphysical",
-            "at_bound", "not_told_apart", "structured_residuals".
+        notes: what has to be known about this fit: `note.sentence("es")` words one.
+        flags: their keys: "damped" (an undamped fit of a damped record), "poor",
+            "gravity_unlikely", "unphysical", "at_bound", "alike", "flat", "only_ratio",
+            "structured", "correlated".
         recipe: the arguments of `fit` but for the measurements, as JSON has them: with them and
             the same measurements the fit has the same bits on the same machine.
         horizon: of a double pendulum, `Horizon`; None otherwise.
@@ -134,7 +134,7 @@ class Fit:
     derived: Mapping[str, Quantity]
     aic: float
     bic: float
-    notes: tuple[Message, ...]
+    notes: tuple[Note, ...]
     flags: tuple[str, ...]
     recipe: Mapping[str, Any] = field(default_factory=dict)
     horizon: Horizon | None = None

@@ -30,10 +30,10 @@ def least_squares(
 ) -> tuple[Array, float]:
     """Levenberg-Marquardt (Moré 1978), each step a bounded linear problem.
 
-    Friction often ends at zero. Methods that keep inside the bounds only creep there, and those that
-    hold a variable at its bound can stall when others are nearly collinear; here each step is the
-    exact solution of the linear problem with its bounds (Stark & Parker, Comp. Stat. 10 (1995) 129),
-    by scipy.
+    Friction often ends at zero. Methods that keep inside the bounds only creep there, and those
+    that hold a variable at its bound can stall when others are nearly collinear; here each step is
+    the exact solution of the linear problem with its bounds (Stark & Parker, Comput. Stat. 10
+    (1995) 129), by scipy.
 
     Args:
         of: residuals and their derivatives.
@@ -99,7 +99,7 @@ def _reduced(jacobian: Array, residuals: Array) -> tuple[Array, Array]:
     """The same linear problem in k rows."""
     import numpy as np
 
-    triangle = np.linalg.qr(np.column_stack([jacobian, residuals]), mode="r")
+    triangle = np.array(np.linalg.qr(np.column_stack([jacobian, residuals]), mode="r"))
     k = jacobian.shape[1]
     return triangle[:, :k], triangle[:, k]
 

@@ -80,7 +80,7 @@ class SingleModel:
     @property
     def rows(self) -> tuple[Row, ...]:
         """Its parameters."""
-        motion = _MOTION
+        motion: tuple[Row, ...] = _MOTION
         if self.linear:
             motion = tuple(each for each in _MOTION if each.name not in FRICTIONS[1:])
         return (*motion, *_READING[self.quantity])
@@ -116,6 +116,10 @@ class SingleModel:
             found[:, :, places] = motion.derivatives(inner)
         predicted, jacobian = self._seen(states, found, values, columns)
         return predicted[:, np.newaxis], jacobian[:, np.newaxis]
+
+    def states(self, t: Array, values: Mapping[str, float]) -> Array:
+        """Of the motion at the times, the first that of the start, (n, 2) [rad, rad/s]."""
+        return _Motion.of(t, self, values).states()
 
     def _seen(
         self, states: Array, derived: Array, values: Mapping[str, float], columns: Sequence[str]
@@ -162,7 +166,7 @@ class SingleModel:
         gravity = values["omega0_squared"]
         if self.linear:
             return LinearPendulum(1.0, gravity, 1.0, **real)
-        return DrivenPendulum.body(1.0, 1.0, 1.0, gravity, **real)  # type: ignore[arg-type]
+        return DrivenPendulum.body(1.0, 1.0, 1.0, gravity, **real)
 
 
 @dataclass(frozen=True)
@@ -206,13 +210,17 @@ class _Motion:
 
     def states(self) -> Array:
         """At the times, (n, 2)."""
-        result = _engine.ensemble(self.request, self.state, self.parameters, 1, None)
+        import numpy as np
 
-        return result.states(self.n, 2)[0]
+        result = _engine.ensemble(self.request, self.state, self.parameters, 1, None)
+        return np.asarray(result.states(self.n, 2)[0])
 
     def derivatives(self, names: Sequence[str]) -> Array:
         """Of the states at the times, (n, 2, k)."""
+        import numpy as np
+
         columns = [self.columns[name] for name in names]
-        return _engine.ensemble_derivatives(
+        found = _engine.ensemble_derivatives(
             self.request, self.state, self.parameters, columns, 1, None
-        )[0]
+        )
+        return np.asarray(found[0])

@@ -15,7 +15,6 @@ if TYPE_CHECKING:
     from pendula._types import Array
 
 _LARGEST = 5.3  # atanh of the autocorrelation that is looked for, 0.99995
-_WHITE = 1e-9  # a share of the largest diagonal element below which a column tells nothing
 
 
 @dataclass(frozen=True, eq=False)
@@ -71,61 +70,86 @@ def noise_of(series: Series) -> Noise:
     Residuals of a fit are less alike than the noise was, as the parameters take up some of it, and
     the more so the fewer there are; the restricted likelihood is that of what they leave.
     """
-    import numpy as np
-
     optimize = extra("scipy.optimize", "fit")
-    used = _told(series.jacobian)
-    short = Series(series.residuals, series.jacobian[:, used], series.places)
+    likelihood = _Likelihood.of(series)
 
     def lost(z: float) -> float:
-        return _likelihood(short, math.tanh(z))[0]
+        return likelihood.lost(math.tanh(z))[0]
 
     found = optimize.minimize_scalar(
-        lost, bounds=(-1.5, _LARGEST), method="bounded", options={"xatol": 1e-4}
+        lost, bounds=(-1.5, _LARGEST), method="bounded", options={"xatol": 1e-5}
     )
-    z = float(found.x)
-    h = 0.02
+    z, h = float(found.x), 0.02
     bend = (lost(z + h) - 2.0 * lost(z) + lost(z - h)) / h**2
-    n = len(series.residuals)
-    freedom = n - int(used.sum())
     rho = math.tanh(z)
-    left = _likelihood(short, rho)[1]
-    least = 1.0 / math.sqrt(n)
+    left = likelihood.lost(rho)[1]
+    least = 1.0 / math.sqrt(likelihood.n)
     return Noise(
         rho,
-        left / freedom / (1.0 - rho * rho),
+        left / likelihood.freedom / (1.0 - rho * rho),
         max(1.0 / math.sqrt(bend), least) if bend > 0.0 else 1.0,
-        freedom,
+        likelihood.freedom,
     )
 
 
-def _told(jacobian: Array) -> NDArray[np.bool_]:
-    """Columns that this series says anything about, (k,)."""
-    import numpy as np
+@dataclass(frozen=True, eq=False)
+class _Likelihood:
+    """Sums over all steps from one sample to the next, of which every ρ makes its likelihood.
 
-    return np.asarray(np.abs(jacobian).max(axis=0) > 0.0)
+    Attributes:
+        n: samples.
+        freedom: those less the parameters.
+        first: products of the first sample's columns, (k + 1, k + 1): derivatives and residual.
+        gaps: distinct distances of neighbours.
+        counts: how often each occurs.
+        sums: for each, products of later by later, later by earlier, earlier by earlier samples.
+    """
 
+    n: int
+    freedom: int
+    first: Array
+    gaps: list[int]
+    counts: list[int]
+    sums: list[tuple[Array, Array, Array]]
 
-def _likelihood(series: Series, rho: float) -> tuple[float, float]:
-    """−2 log of the restricted likelihood / 2, and the sum of squares of the innovations."""
-    import numpy as np
+    @classmethod
+    def of(cls, series: Series) -> _Likelihood:
+        """The sums of a series."""
+        import numpy as np
 
-    both = np.column_stack([series.jacobian, series.residuals])
-    gaps = np.diff(series.places)
-    powers = np.sign(rho) ** gaps * np.abs(rho) ** gaps if rho else np.zeros(len(gaps))
-    shares = (1.0 - powers**2) / (1.0 - rho**2)  # variances of the innovations
-    white = np.empty_like(both)
-    white[0] = both[0] * math.sqrt(1.0 - rho**2)
-    white[1:] = (both[1:] - powers[:, np.newaxis] * both[:-1]) / np.sqrt(shares)[:, np.newaxis]
-    size = np.linalg.norm(white[:, :-1], axis=0)
-    triangle: Array = np.linalg.qr(np.asarray(white / np.append(size, 1.0)), mode="r")
-    n, k = series.jacobian.shape
-    left = float(triangle[k, k] ** 2)
-    diagonal = np.abs(np.diagonal(triangle)[:k]) * size
-    lost = (n - k) * math.log(max(left, 1e-300))
-    lost += float(np.log(shares).sum()) - math.log(1.0 - rho**2)
-    lost += 2.0 * float(np.log(np.maximum(diagonal, 1e-300)).sum())
-    return 0.5 * lost, left
+        told = np.abs(series.jacobian).max(axis=0) > 0.0
+        jacobian = series.jacobian[:, told]
+        basis = np.linalg.qr(jacobian / np.linalg.norm(jacobian, axis=0))[0]
+        both = np.column_stack([basis, series.residuals])
+        steps = np.diff(series.places)
+        gaps, counts = np.unique(steps, return_counts=True)
+        sums = []
+        for gap in gaps:
+            later, earlier = both[1:][steps == gap], both[:-1][steps == gap]
+            sums.append((later.T @ later, later.T @ earlier, earlier.T @ earlier))
+        n = len(both)
+        first = np.outer(both[0], both[0])
+        return cls(n, n - basis.shape[1], first, gaps.tolist(), counts.tolist(), sums)
+
+    def lost(self, rho: float) -> tuple[float, float]:
+        """−log of the restricted likelihood, and the sum of squares of what is independent."""
+        import numpy as np
+
+        unlike = 1.0 - rho * rho
+        gram = self.first * unlike
+        lost = -math.log(unlike)
+        for gap, count, (later, mixed, earlier) in zip(
+            self.gaps, self.counts, self.sums, strict=True
+        ):
+            power = rho**gap
+            share = (1.0 - power * power) / unlike
+            gram = gram + (later - power * (mixed + mixed.T) + power * power * earlier) / share
+            lost += count * math.log(share)
+        k = len(gram) - 1
+        inner = np.linalg.solve(gram[:k, :k], gram[:k, k])
+        left = max(float(gram[k, k] - gram[:k, k] @ inner), 1e-300)
+        lost += self.freedom * math.log(left) + float(np.linalg.slogdet(gram[:k, :k])[1])
+        return 0.5 * lost, left
 
 
 def filtered(series: Series, rho: float) -> Array:
@@ -155,7 +179,10 @@ def blocks(series: Series, count: int) -> Array:
 
 
 def autocorrelation_time(residuals: Array) -> float:
-    """1 + 2 Σ ρ_l, in samples, the sum up to five times itself (Sokal 1997).
+    """1 + 2 Σ ρ_l up to the first that is not positive, in samples.
+
+    Residuals of a pendulum swing with it. The sum over whole swings would cancel, and call them as
+    good as independent.
 
     Args:
         residuals: evenly sampled, or nearly, (n,).
@@ -169,6 +196,6 @@ def autocorrelation_time(residuals: Array) -> float:
     shape = np.fft.irfft(power, padded)[:n]
     if shape[0] <= 0.0:
         return 1.0
-    sums = 2.0 * np.cumsum(shape / shape[0]) - 1.0
-    enough = np.arange(n) >= 5.0 * sums
-    return float(max(sums[int(enough.argmax()) if enough.any() else n - 1], 1.0))
+    ended = shape <= 0.0
+    last = int(ended.argmax()) if ended.any() else n
+    return float(2.0 * shape[:last].sum() / shape[0] - 1.0)

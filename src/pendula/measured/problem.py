@@ -34,6 +34,9 @@ class Model(Protocol):
     ) -> tuple[Array, Array] | None:
         """Predictions (n, m) and derivatives (n, m, k); None: the motion is not finite."""
 
+    def states(self, t: Array, values: Mapping[str, float]) -> Array:
+        """Of the motion at the times, the first that of the start, (n, d) [rad, rad/s]."""
+
     def system(self, values: Mapping[str, float]) -> System | None:
         """The pendulum with these values; None: one of them is unphysical."""
 

@@ -1,0 +1,62 @@
+"""What follows from fitted values: g from a known length, damping rate, quality factor, period."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING
+
+from pendula.measured.fitted import Quantity
+
+if TYPE_CHECKING:
+    from pendula._types import Array
+    from pendula.measured.asked import Known
+
+
+def derived_of(
+    names: tuple[str, ...],
+    x: Array,
+    covariance: Array,
+    constants: dict[str, float],
+    length: Known | None,
+    gravity: Known | None,
+) -> dict[str, Quantity]:
+    """Quantities by name, with errors by their derivatives.
+
+    Args:
+        names: of the parameters, (k,).
+        x: their values, (k,).
+        covariance: of them, (k, k).
+        constants: parameters that were not fitted.
+        length: from the pivot to the bob, if known [m].
+        gravity: if known [m/s²].
+    """
+    known = dict(zip(names, x.tolist(), strict=True))
+    values = {**constants, **known}
+
+    def error(**by: float) -> float:
+        slope = [by.get(name, 0.0) for name in names]
+        return math.sqrt(max(float(slope @ covariance @ slope), 0.0))
+
+    square = values.get("omega0_squared")
+    if square is None:
+        return {}
+    root = math.sqrt(square)
+    found = {
+        "natural_frequency": Quantity(root, error(omega0_squared=0.5 / root), "rad/s"),
+        "period": Quantity(2.0 * math.pi / root, error(omega0_squared=math.pi / root**3), "s"),
+    }
+    if length is not None:
+        g, relative = square * length.value, length.sigma / length.value
+        own = error(omega0_squared=length.value)
+        found["gravity"] = Quantity(g, math.hypot(own, g * relative), "m/s²")
+    if gravity is not None:
+        reach, relative = gravity.value / square, gravity.sigma / gravity.value
+        own = error(omega0_squared=reach / square)
+        found["length"] = Quantity(reach, math.hypot(own, reach * relative), "m")
+    if known.get("viscous", 0.0) > 0.0:
+        b = known["viscous"]
+        found["damping_rate"] = Quantity(0.5 * b, error(viscous=0.5), "1/s")
+        found["quality_factor"] = Quantity(
+            root / b, error(viscous=-root / b**2, omega0_squared=0.5 / (root * b)), ""
+        )
+    return found

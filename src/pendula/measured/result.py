@@ -1,0 +1,206 @@
+"""The optimum of a fit with its uncertainties, and what has to be said about it."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from itertools import pairwise
+from typing import TYPE_CHECKING
+
+from pendula.measured.derived import derived_of
+from pendula.measured.errors import Errors, errors_of
+from pendula.measured.fitted import Fit, FittedRecording
+from pendula.measured.model import FRICTIONS
+from pendula.measured.problem import Optimum, Problem, minimise
+from pendula.measured.starts import MOST, ROUGH
+from pendula.measured.words import Note
+
+if TYPE_CHECKING:
+    from pendula._types import Array
+    from pendula.measured.fit import Plan
+    from pendula.measured.fitted import Quantity
+
+ALIKE = 0.98  # correlation beyond which two parameters are not told apart
+_SWINGS = 2.0  # in a quarter of a record that is fitted alone
+_EARTH = (9.5, 10.1)  # m/s²: g beyond is not the Earth's
+_UNDAMPED = 1.5  # times the residuals of viscous friction: the record is damped
+_POOR = 0.3  # of the spread: residuals of a model that does not describe the record
+
+
+def result_of(plan: Plan, problem: Problem, best: Optimum, viscous: float) -> Fit:
+    """The fit, told.
+
+    Args:
+        plan: what was asked for.
+        problem: that was solved.
+        best: its optimum.
+        viscous: residuals that viscous friction leaves, beside an undamped model [rms].
+    """
+    import numpy as np
+
+    errors = errors_of(problem, best.x)
+    scale = np.sqrt(np.maximum(np.diagonal(errors.covariance), 1e-300))
+    correlation = errors.covariance / np.outer(scale, scale)
+    derived = derived_of(
+        best.names, best.x, errors.covariance, dict(problem.constants), plan.length, plan.gravity
+    )
+    kinds = [name.partition("[")[0] for name in best.names]
+    friction = [
+        (n, float(v)) for n, k, v in zip(best.names, kinds, best.x, strict=True) if k in FRICTIONS
+    ]
+    samples = sum(int(each.there.sum()) for each in problem.recordings)
+    count = samples * math.log(best.rms**2) / samples * errors.effective
+    made = Fit(
+        model=plan.name,
+        parameters=best.names,
+        values=best.x,
+        units=tuple(row.unit for row in problem.rows()),
+        standard_errors=errors.standard,
+        plain_errors=errors.plain,
+        error_kinds=errors.kinds,
+        covariance=errors.covariance,
+        correlation=correlation,
+        recordings=tuple(_recordings(problem, best, errors)),
+        rms=best.rms,
+        n_samples=samples,
+        n_effective=errors.effective,
+        at_bounds=tuple(n for n, v in friction if v == 0.0 and plan.signs == "physical"),
+        unphysical=tuple(n for n, v in friction if v < 0.0),
+        not_told_apart=_alike(best.names, correlation, derived),
+        derived=derived,
+        aic=count + 2.0 * len(best.x),
+        bic=count + math.log(errors.effective) * len(best.x),
+        notes=(),
+        flags=(),
+        recipe=plan.recipe(),
+    )
+    notes = tuple(_notes(made, errors, viscous))
+    return replace(made, notes=notes, flags=tuple(dict.fromkeys(each.key for each in notes)))
+
+
+def _recordings(problem: Problem, best: Optimum, errors: Errors) -> list[FittedRecording]:
+    import numpy as np
+
+    predicted = problem.predicted(best.x)
+    assert predicted is not None
+    found, column = [], 0
+    for i, (each, made) in enumerate(zip(problem.recordings, predicted, strict=True)):
+        columns = range(column, column + each.values.shape[1])
+        column = columns.stop
+        values = problem.values(i, best.x)
+        found.append(
+            FittedRecording(
+                measurement=each.measurement,
+                t=each.t,
+                measured=each.values,
+                fitted=made,
+                residuals=each.values - made,
+                start=np.array([values["theta"], values["omega"]]),
+                system=problem.model.system(values),
+                autocorrelation=np.array([errors.noises[j].correlation for j in columns]),
+                autocorrelation_time=float(np.mean([errors.times[j] for j in columns])),
+                quarters=_quarters(problem, best, i),
+            )
+        )
+    return found
+
+
+def _quarters(problem: Problem, best: Optimum, i: int) -> Array:
+    """The parameters fitted to each quarter of recording i alone, (4, k) or (0, k)."""
+    import numpy as np
+
+    recording, values = problem.recordings[i], problem.values(i, best.x)
+    span = float(recording.t[-1] - recording.t[0])
+    swings = math.sqrt(values["omega0_squared"]) * span / (2.0 * math.pi)
+    whole = np.full((4, len(best.x)), np.nan)
+    if swings < 4.0 * _SWINGS or len(recording.t) < 16 * len(best.x):
+        return whole[:0]
+    states = problem.model.states(recording.t, values)
+    edges = np.linspace(0, len(recording.t), 5).astype(int)
+    places = problem.places(i)
+    for quarter, (begin, end) in enumerate(pairwise(edges.tolist())):
+        part = problem.of([recording.taken(slice(begin, end))]).thinned(MOST)
+        begun = {**values, "theta": states[begin, 0], "omega": states[begin, 1]}
+        found = minimise(part, np.array([begun[name] for name in part.names]), precision=ROUGH)
+        whole[quarter, places] = found.x
+    return whole
+
+
+def _alike(
+    names: tuple[str, ...], correlation: Array, derived: dict[str, Quantity]
+) -> tuple[tuple[str, str], ...]:
+    """Pairs that the data hold only together."""
+    pairs = [
+        (names[i], names[j])
+        for i in range(len(names))
+        for j in range(i)
+        if abs(correlation[i, j]) > ALIKE
+    ]
+    if "gravity" not in derived and "length" not in derived:
+        pairs.append(("gravity", "length"))
+    return tuple(pairs)
+
+
+def _notes(made: Fit, errors: Errors, viscous: float) -> list[Note]:
+    """What has to be known about the fit."""
+    import numpy as np
+
+    notes, unit = [], made.measurement.unit
+    largest = max(float(np.max(each.autocorrelation)) for each in made.recordings)
+    if made.n_effective < 0.5 * made.n_samples:
+        notes.append(
+            Note(
+                "correlated",
+                {
+                    "correlation": largest,
+                    "samples": str(made.n_samples),
+                    "effective": f"{made.n_effective:.0f}",
+                },
+            )
+        )
+    if (errors.standard > 1.001 * errors.kinds["autocorrelation"]).any():
+        notes.append(Note("structured", {"rms": made.rms, "unit": unit}))
+    if made.model in ("undamped", "linear") and made.rms > _UNDAMPED * viscous:
+        notes.append(Note("damped", {"rms": made.rms, "unit": unit, "other": viscous}))
+    spread = np.nanstd(np.concatenate([each.measured for each in made.recordings]))
+    if made.rms > _POOR * spread:
+        notes.append(Note("poor", {"share": float(made.rms / spread)}))
+    notes += [Note("at_bound", {"name": name}) for name in made.at_bounds]
+    notes += [Note("unphysical", {"name": name}) for name in made.unphysical]
+    notes += _untold(made, errors)
+    g = made.derived.get("gravity")
+    if g is not None and not _EARTH[0] < g.value < _EARTH[1]:
+        beyond = min(abs(g.value - each) for each in _EARTH)
+        if beyond > 2.0 * g.standard_error:
+            ratio = 9.81 / g.value
+            notes.append(
+                Note(
+                    "gravity_unlikely",
+                    {"gravity": g.value, "times": math.sqrt(1.0 / ratio), "lengths": ratio},
+                )
+            )
+    return notes
+
+
+def _untold(made: Fit, errors: Errors) -> list[Note]:
+    """Parameters that the data do not tell, or not apart."""
+    notes = []
+    for first, second in made.not_told_apart:
+        if first == "gravity":
+            notes.append(Note("only_ratio"))
+            continue
+        i, j = made.parameters.index(first), made.parameters.index(second)
+        notes.append(
+            Note(
+                "alike",
+                {"first": first, "second": second, "correlation": float(made.correlation[i, j])},
+            )
+        )
+    for direction in errors.flat:
+        names = tuple(
+            n
+            for n, d in zip(made.parameters, direction, strict=True)
+            if abs(d) > 0.1 * abs(direction).max()
+        )
+        notes.append(Note("flat", {"names": names}))
+    return notes
