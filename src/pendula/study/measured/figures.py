@@ -1,0 +1,40 @@
+"""The figures of a recording, by the names that the text has for them."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from pendula.plot.measured import (
+    damping,
+    measured_fit,
+    measured_methods,
+    measured_portrait,
+    period_of_amplitude,
+    residual_autocorrelation,
+)
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from matplotlib.figure import Figure
+
+    from pendula.study.measured.results import MeasuredResults
+
+
+def measured_figures(results: MeasuredResults, language: str) -> dict[str, Callable[[], Figure]]:
+    """What draws each figure there is for a recording."""
+    recording, found = results.fit.recordings[0], results.swings
+    drawers: dict[str, Callable[[], Figure]] = {
+        "measured-fit": lambda: measured_fit(recording, language=language),
+        "measured-autocorrelation": lambda: residual_autocorrelation(recording, language=language),
+    }
+    recorded, compared, own = results.recorded, results.compared, results.model_swings
+    if found is not None and own is not None:
+        square = results.fit["omega0_squared"].value
+        drawers["measured-damping"] = lambda: damping(found, own, language=language)
+        drawers["measured-period"] = lambda: period_of_amplitude(found, square, language=language)
+    if recorded is not None:
+        drawers["measured-portrait"] = lambda: measured_portrait(recorded, language=language)
+    if compared is not None:
+        drawers["measured-methods"] = lambda: measured_methods(compared, language=language)
+    return drawers

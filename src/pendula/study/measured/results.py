@@ -1,0 +1,51 @@
+"""Everything that a report says of a recording, computed once."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from pendula.measured.swings import seen, swings
+from pendula.study.measured.comparison import compare_methods
+
+if TYPE_CHECKING:
+    from pendula.measured.fitted import Fit
+    from pendula.measured.swings import Seen, Swings
+    from pendula.study.measured.comparison import MethodComparison
+
+_FEWEST_SWINGS = 3  # that say anything of damping and period
+
+
+@dataclass(frozen=True, eq=False)
+class MeasuredResults:
+    """A fit with what is told and drawn beside it.
+
+    Attributes:
+        fit: of the recording.
+        recorded: the recording as angle or rate; None: of accelerations, of a double pendulum, or
+            without a physical model.
+        swings: whole swings of it; None: too few.
+        model_swings: those of the fitted model.
+        compared: formulas and methods beside the experiment; None as for `recorded`.
+    """
+
+    fit: Fit
+    recorded: Seen | None
+    swings: Swings | None
+    model_swings: Swings | None
+    compared: MethodComparison | None
+
+
+def measured_results(fit: Fit) -> MeasuredResults:
+    """What can be said of the first recording of a fit."""
+    recording = fit.recordings[0]
+    single = recording.fitted.shape[1] == 1
+    if not single or recording.system is None or recording.measurement.quantity == "acceleration":
+        return MeasuredResults(fit, None, None, None, None)
+    recorded = seen(recording)
+    found = swings(recorded)
+    compared = compare_methods(fit, recorded)
+    if len(found.t) < _FEWEST_SWINGS:
+        return MeasuredResults(fit, recorded, None, None, compared)
+    own = recorded.model.theta if recorded.is_angle else recorded.model.omega
+    return MeasuredResults(fit, recorded, found, swings(recorded._replace(values=own)), compared)
