@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any, Protocol
 
 import numpy as np
 
-from pendula.measured.swings import periods_at, rates
+from pendula.measured.whole_swings import periods_at, rates
 from pendula.plot.labels import Labels, labels
 from pendula.plot.style import (
     degree_ticks,
@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 
     from pendula._types import Array
     from pendula.measured.fitted import FittedRecording
-    from pendula.measured.swings import Seen, Swings
+    from pendula.measured.whole_swings import Seen, Swings
 
 _DATA: dict[str, Any] = {"color": "#7d8894", "marker": ".", "markersize": 2.6, "linestyle": "none"}
 _SWING = _DATA | {"color": "#0072b2", "markersize": 5}

@@ -16,7 +16,7 @@ from pendula.systems import LinearPendulum, SimplePendulum
 if TYPE_CHECKING:
     from pendula._types import Array
     from pendula.measured.fitted import Fit
-    from pendula.measured.swings import Seen
+    from pendula.measured.whole_swings import Seen
     from pendula.run.trajectory import Trajectory
 
 _SWINGS = 10  # how long the experiment is followed, in periods of small swings

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from pendula.measured.rounding import with_uncertainty
-from pendula.measured.swings import periods_at
+from pendula.measured.whole_swings import periods_at
 from pendula.measured.words import worded
 
 if TYPE_CHECKING:
@@ -137,8 +137,8 @@ def _swings(results: MeasuredResults, numbers: Numbers) -> dict[str, Any] | None
         "last": numbers.degrees(float(found.amplitude[-1])),
         "longest": numbers.plain(float(found.period.max()), 4),
         "shortest": numbers.plain(float(found.period.min()), 4),
-        "away": numbers.duration(float(np.sqrt((away**2).mean()))),
-        "relative": numbers.percent(float(np.sqrt(((away / found.period) ** 2).mean()))),
+        "away": numbers.plain(1e3 * float(np.sqrt((away**2).mean())), 2),
+        "relative": numbers.plain(100.0 * float(np.sqrt(((away / found.period) ** 2).mean())), 2),
     }
 
 

@@ -5,12 +5,12 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from pendula.measured.swings import seen, swings
+from pendula.measured.whole_swings import seen, swings
 from pendula.study.measured.comparison import compare_methods
 
 if TYPE_CHECKING:
     from pendula.measured.fitted import Fit
-    from pendula.measured.swings import Seen, Swings
+    from pendula.measured.whole_swings import Seen, Swings
     from pendula.study.measured.comparison import MethodComparison
 
 _FEWEST_SWINGS = 3  # that say anything of damping and period

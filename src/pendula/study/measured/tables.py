@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from pendula.measured.swings import periods_at
+from pendula.measured.whole_swings import periods_at
 
 if TYPE_CHECKING:
     from pendula.measured.fitted import Fit
