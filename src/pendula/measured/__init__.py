@@ -2,6 +2,26 @@
 
 from pendula.measured.fit import fit
 from pendula.measured.fitted import Fit, FittedRecording, Horizon, Quantity
+from pendula.measured.measurement import Measurement, PeriodTable
+from pendula.measured.period_corrections import Apparatus
+from pendula.measured.periods import PeriodFit, fit_periods
+from pendula.measured.reading import read, read_all
+from pendula.measured.rounding import with_uncertainty
 from pendula.measured.words import Note
 
-__all__ = ["Fit", "FittedRecording", "Horizon", "Note", "Quantity", "fit"]
+__all__ = [
+    "Apparatus",
+    "Fit",
+    "FittedRecording",
+    "Horizon",
+    "Measurement",
+    "Note",
+    "PeriodFit",
+    "PeriodTable",
+    "Quantity",
+    "fit",
+    "fit_periods",
+    "read",
+    "read_all",
+    "with_uncertainty",
+]
