@@ -63,10 +63,8 @@ def period_facts(
         "freedom": "∞"
         if math.isinf(fit.degrees_of_freedom)
         else numbers.short(fit.degrees_of_freedom),
-        "birge": None if math.isnan(fit.birge_ratio) else numbers.plain(fit.birge_ratio, 2),
         "corrections": correction_rows(fit, catalog, numbers),
-        "chance": None if math.isnan(fit.chance) else numbers.plain(fit.chance, 2),
-        "rejected": fit.rejects_the_law,
+        "verdict": period_verdict(fit, catalog, numbers),
     }
 
 
@@ -95,6 +93,17 @@ def correction_rows(
         [catalog["corrections"][each.name], numbers.plain(100.0 * each.change, 2) + "\u00a0%"]
         for each in fit.corrections
     ]
+
+
+def period_verdict(fit: PeriodFit, catalog: Mapping[str, Any], numbers: Numbers) -> list[str]:
+    """Sentences on how well the law holds."""
+    words, found = catalog["measured"], []
+    if not math.isnan(fit.birge_ratio):
+        found.append(words["birge"].format(ratio=numbers.plain(fit.birge_ratio, 2)))
+    if not math.isnan(fit.chance):
+        sentence = words["rejected" if fit.rejects_the_law else "kept"]
+        found.append(sentence.format(chance=numbers.plain(fit.chance, 2)))
+    return found
 
 
 def _named(name: str, catalog: Mapping[str, Any]) -> str:
