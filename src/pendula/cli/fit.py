@@ -29,26 +29,30 @@ _PLAIN = str.maketrans({"±": "+-", "−": "-", "×": "x", "²": "^2", "₀": "0
 
 
 def _fit(**given: Any) -> None:
-    from pendula.measured import read
-    from pendula.measured.measurement import PeriodTable
+    from pendula.measured.periods import PeriodFit
 
     report = _checked_report(given)
-    with renaming(length="length_column", amplitude="amplitude_column"):
-        measured = read(given["file"], **reading_of(given))
-    found: Fit | PeriodFit
-    if isinstance(measured, PeriodTable):
-        found = _fit_periods(measured, given)
-        lines = _periods_told(found, given["lang"])
-    else:
-        found = _fit_motion(measured, given)
-        lines = _motion_told(found, given["lang"])
-    for line in lines:
+    found = fit_of(given["file"], given)
+    told = _periods_told if isinstance(found, PeriodFit) else _motion_told
+    for line in told(found, given["lang"]):  # type: ignore[arg-type]
         click.echo(line if can_print(line) else line.translate(_PLAIN))
     if report is not None:
         from pendula.study.measured.report import write_fit_report
 
         named = {"title": given["title"], "author": given["author"], "overwrite": given["force"]}
         click.echo(write_fit_report(found, report, given["lang"], **named) / "report.html")
+
+
+def fit_of(file: str, given: dict[str, Any]) -> Fit | PeriodFit:
+    """What the options make of a recording or of a table of periods."""
+    from pendula.measured import read
+    from pendula.measured.measurement import PeriodTable
+
+    with renaming(length="length_column", amplitude="amplitude_column"):
+        measured = read(file, **reading_of(given))
+    if isinstance(measured, PeriodTable):
+        return _fit_periods(measured, given)
+    return _fit_motion(measured, given)
 
 
 def _checked_report(given: dict[str, Any]) -> Path | None:

@@ -11,7 +11,7 @@ from pendula._writing import replacing
 from pendula.plot.labels import labels
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Mapping
+    from collections.abc import Callable, Mapping, Sequence
     from os import PathLike
 
     from matplotlib.figure import Figure
@@ -102,15 +102,21 @@ def content_of(fit: Fit | PeriodFit, language: str, catalog: Mapping[str, Any]) 
     return _of_motion(fit, language, catalog)
 
 
-def write_pieces(folder: Path, content: Content) -> None:
-    """Write figures and tables into their folders, which are made where they are missing."""
-    from pendula import plot
+def write_pieces(folder: Path, content: Content, kinds: Sequence[str] = ()) -> None:
+    """Write figures and tables into their folders, which are made where they are missing.
+
+    Args:
+        folder: of the report.
+        content: what it is made of.
+        kinds: of figures, besides SVG.
+    """
     from pendula.study.data import write_table
+    from pendula.study.figures import write_figure
 
     for name in ("figures", "data"):
         (folder / name).mkdir(exist_ok=True)
     for name, draw in content.figures.items():
-        (folder / "figures" / f"{name}.svg").write_bytes(plot.svg(draw()))
+        write_figure(draw(), folder / "figures", name, kinds)
     for name, columns in content.tables.items():
         write_table(folder / "data" / f"{name}.csv", columns)
 
