@@ -19,6 +19,9 @@ if TYPE_CHECKING:
 
 _WINDOW = 0.1  # of a period to either side, in which a curve is laid through the samples
 _FEWEST = 3  # samples in it
+_SAME = 1e-9  # s: two times that are one
+# Of the heights of turns: two within a swing, or three of which it ends with the outer ones.
+_WEIGHTS = {2: (1.0, 1.0), 3: (1.0, 2.0, 1.0)}
 _OF_CROSSING, _OF_TURN = 3, 4  # degrees of the curves: what is left out is below 1e-4 of them
 
 
@@ -39,12 +42,12 @@ class Seen(NamedTuple):
 
 
 class Swings(NamedTuple):
-    """Whole swings, from one passage of the lowest point to the next in the same direction.
+    """Whole swings, from one zero of what was measured to the next in the same direction.
 
     Attributes:
         t: middle of each, (n,) [s].
-        amplitude: mean of the two turns within, (n,) [rad]: measured, or of the fitted motion
-            where no angle was.
+        amplitude: mean of the turns within, (n,) [rad]: measured, or of the fitted motion where
+            no angle was.
         period: (n,) [s].
     """
 
@@ -87,12 +90,13 @@ def swings(recorded: Seen) -> Swings:
     turns = _crossings(t, omega, rising=None)
     found = []
     for first, last in pairwise(passages):
-        inside = turns[(turns > first - 1e-9) & (turns < last)]
+        inside = turns[(turns > first - _SAME) & (turns < last + _SAME)]
         window = _WINDOW * (last - first)
         ends = [_passage(recorded, each, window) for each in (first, last)]
         heights = [_height(recorded, each, window) for each in inside]
-        if len(heights) == 2:
-            found.append([sum(ends) / 2.0, sum(heights) / 2.0, ends[1] - ends[0]])
+        if len(heights) in _WEIGHTS:
+            height = np.average(heights, weights=_WEIGHTS[len(heights)])
+            found.append([sum(ends) / 2.0, float(height), ends[1] - ends[0]])
     rows = np.array([row for row in found if np.isfinite(row).all()]).reshape(-1, 3)
     return Swings(*rows.T)
 
