@@ -1,5 +1,6 @@
 """Recordings of real pendulums: read, fitted, compared with models."""
 
+from pendula.measured.compare import Compared, Comparison, compare_models
 from pendula.measured.fit import fit
 from pendula.measured.fitted import Fit, FittedRecording, Horizon, Quantity
 from pendula.measured.measurement import Measurement, PeriodTable
@@ -11,6 +12,8 @@ from pendula.measured.words import Note
 
 __all__ = [
     "Apparatus",
+    "Compared",
+    "Comparison",
     "Fit",
     "FittedRecording",
     "Horizon",
@@ -19,6 +22,7 @@ __all__ = [
     "PeriodFit",
     "PeriodTable",
     "Quantity",
+    "compare_models",
     "fit",
     "fit_periods",
     "read",

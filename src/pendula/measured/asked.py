@@ -65,8 +65,8 @@ def model_parts(model: object) -> tuple[bool, tuple[str, ...]]:
 
 def model_name(linear: bool, frictions: Iterable[str]) -> str:
     """The name of a model."""
-    parts = ["linear"] if linear else []
-    return " + ".join([*parts, *(tuple(frictions) or ("undamped",))])
+    parts = (*(["linear"] if linear else []), *frictions)
+    return " + ".join(parts) or "undamped"
 
 
 def measurements_of(given: object) -> tuple[Measurement, ...]:

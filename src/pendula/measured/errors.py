@@ -74,9 +74,7 @@ def errors_of(problem: Problem, x: Array) -> Errors:
     good = singular > _FLAT * singular[0]
     inverse = (directions[good].T / singular[good] ** 2) @ directions[good] / np.outer(size, size)
     noises = [noise_of(each) for each in series]
-    middle = sum(
-        n.variance * filtered(s, n.correlation) for s, n in zip(series, noises, strict=True)
-    )
+    middle = sum(filtered(s, *n.varied()) for s, n in zip(series, noises, strict=True))
     covariance = inverse @ middle @ inverse
     modelled = np.sqrt(np.maximum(np.diagonal(covariance), 0.0))
     modelled = modelled * _student(series, noises, inverse, modelled)
@@ -119,11 +117,10 @@ def _student(series: list[Series], noises: list[Noise], inverse: Array, modelled
     special = extra("scipy.special", "fit")
     uncertain = np.zeros(len(modelled))
     for each, noise in zip(series, noises, strict=True):
-        z, h = math.atanh(noise.correlation), 0.5 * noise.uncertainty
-        sides = [noise.variance * filtered(each, math.tanh(z + side * h)) for side in (-1.0, 1.0)]
-        spread = (inverse @ ((sides[1] - sides[0]) / (2.0 * h)) @ inverse).diagonal()
+        low, high = (filtered(each, *noise.varied(side)) for side in (-0.5, 0.5))
+        spread = (inverse @ (high - low) @ inverse).diagonal()
         # of the logarithm of the standard error, by the noise's autocorrelation and its variance
-        uncertain += (0.5 * spread / modelled**2 * noise.uncertainty) ** 2 + 0.5 / noise.freedom
+        uncertain += (0.5 * spread / modelled**2) ** 2 + 0.5 / noise.freedom
     freedom = np.maximum(0.5 / np.maximum(uncertain, 1e-12), 2.0)
     return np.asarray(special.stdtrit(freedom, 0.5 + 0.5 * _PROBABILITY) / 2.0)
 

@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any
 
 from pendula._checks import flag, one_of, whole
 from pendula._messages import ArgumentError
 from pendula.measured import asked
-from pendula.measured.ladder import climbed
+from pendula.measured.ladder import Rungs, climbed
 from pendula.measured.model import FRICTIONS, SingleModel
 from pendula.measured.problem import Optimum, Problem
 from pendula.measured.result import result_of
@@ -72,29 +73,22 @@ def fit(
     Raises:
         ValueError: for an argument out of range, or a recording that cannot be fitted.
     """
-    measurements = asked.measurements_of(measurement)
-    linear, frictions = asked.model_parts(model)
-    plan = Plan(
-        model=SingleModel(_quantity(measurements[0]), linear),
-        frictions=frictions,
-        length=asked.known("length", _length(length, measurements[0]), "m"),
-        gravity=asked.known("gravity", gravity, "m/s^2"),
-        signs=one_of("signs", signs, asked.SIGNS),
-        robust=flag("robust", robust),
-        uncertainty=one_of("uncertainty", uncertainty, asked.UNCERTAINTIES),
-        seed=whole("seed", seed),
+    plan, recordings = planned(
+        measurement,
+        model,
+        length=length,
+        gravity=gravity,
+        fixed=fixed,
+        free=free,
+        shared=shared,
+        signs=signs,
+        start=start,
         window=window,
+        robust=robust,
+        uncertainty=uncertainty,
+        seed=seed,
     )
-    rows = plan.model.rows
-    plan = replace(
-        plan,
-        fixed=asked.named_values("fixed", fixed, rows),
-        start=asked.named_values("start", start, rows),
-        free=asked.names_of("free", free, rows),
-        shared=None if shared is None else asked.names_of("shared", shared, rows),
-    )
-    recordings = tuple(asked.sampled(each, window) for each in measurements)
-    return fitted(plan, recordings)
+    return fitted(plan, recordings, Begun(plan, recordings))
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -105,11 +99,11 @@ class Plan:
     frictions: tuple[str, ...]
     length: Known | None = None
     gravity: Known | None = None
-    fixed: Mapping[str, float] | None = None
+    fixed: Mapping[str, float] = field(default_factory=dict)
     free: tuple[str, ...] = ()
     shared: tuple[str, ...] | None = None
     signs: str = "physical"
-    start: Mapping[str, float] | None = None
+    start: Mapping[str, float] = field(default_factory=dict)
     window: tuple[float, float] | None = None
     robust: bool = False
     uncertainty: str = "corrected"
@@ -126,11 +120,11 @@ class Plan:
         return {
             "model": self.name,
             **{name: [k.value, k.sigma] if k else None for name, k in given.items()},
-            "fixed": dict(self.fixed or {}),
+            "fixed": dict(self.fixed),
             "free": list(self.free),
             "shared": None if self.shared is None else list(self.shared),
             "signs": self.signs,
-            "start": dict(self.start or {}),
+            "start": dict(self.start),
             "window": None if self.window is None else list(map(float, self.window)),
             "robust": self.robust,
             "uncertainty": self.uncertainty,
@@ -139,7 +133,7 @@ class Plan:
 
     def problem(self, recordings: tuple[Sampled, ...]) -> Problem:
         """The least squares problem."""
-        fixed = dict(self.fixed or {})
+        fixed = dict(self.fixed)
         names = ("theta", "omega", "omega0_squared", *self.frictions, self.model.offset)
         free = tuple(dict.fromkeys(n for n in (*names, *self.free) if n not in fixed))
         shared = self.shared
@@ -148,37 +142,65 @@ class Plan:
         return Problem(self.model, recordings, free, shared, fixed, self.signs == "free")
 
 
-def fitted(plan: Plan, recordings: tuple[Sampled, ...]) -> Fit:
+def planned(measurement: Any, model: Any, **given: Any) -> tuple[Plan, tuple[Sampled, ...]]:
+    """The checked arguments of `fit`, and the samples that are fitted.
+
+    Raises:
+        ValueError: for an argument out of range, or a recording that cannot be fitted.
+    """
+    measurements = asked.measurements_of(measurement)
+    linear, frictions = asked.model_parts(model)
+    made = SingleModel(_quantity(measurements[0]), linear)
+    rows, window, shared = made.rows, given.get("window"), given.get("shared")
+    plan = Plan(
+        model=made,
+        frictions=frictions,
+        length=asked.known("length", _length(given.get("length"), measurements[0]), "m"),
+        gravity=asked.known("gravity", given.get("gravity"), "m/s^2"),
+        fixed=asked.named_values("fixed", given.get("fixed"), rows),
+        free=asked.names_of("free", given.get("free", ()), rows),
+        shared=None if shared is None else asked.names_of("shared", shared, rows),
+        signs=one_of("signs", given.get("signs", "physical"), asked.SIGNS),
+        start=asked.named_values("start", given.get("start"), rows),
+        window=window,
+        robust=flag("robust", given.get("robust", False)),
+        uncertainty=one_of(
+            "uncertainty", given.get("uncertainty", "corrected"), asked.UNCERTAINTIES
+        ),
+        seed=whole("seed", given.get("seed", 0)),
+    )
+    return plan, tuple(asked.sampled(each, window) for each in measurements)
+
+
+class Begun:
+    """What the first swings say, and rungs that were climbed: the same for all models of a plan."""
+
+    def __init__(self, plan: Plan, recordings: tuple[Sampled, ...]) -> None:
+        self.first: dict[str, float] = {}
+        self.length = math.inf
+        self.rungs: Rungs = {}
+        for i, each in enumerate(recordings):
+            own, length = first_window(each, plan.model, plan.fixed)
+            self.length = min(self.length, length)
+            for name, value in {**own, **plan.start}.items():
+                if len(recordings) > 1:
+                    self.first[f"{name}[{i + 1}]"] = value
+                self.first.setdefault(name, value)  # what is shared: as of the first recording
+
+    def best(self, plan: Plan, problem: Problem) -> Optimum:
+        """The optimum of a problem."""
+        return climbed(problem, self.first, self.length, self.rungs, robust=plan.robust)
+
+
+def fitted(plan: Plan, recordings: tuple[Sampled, ...], begun: Begun) -> Fit:
     """The fit that was planned."""
     problem = plan.problem(recordings)
-    first, length = _first(plan, problem)
-    best = climbed(problem, first, length, robust=plan.robust)
-    return result_of(plan, problem, best, _viscous(plan, problem, first, length, best))
-
-
-def _first(plan: Plan, problem: Problem) -> tuple[dict[str, float], float]:
-    """What describes the first swings of each recording, by the names of the problem."""
-    found: dict[str, float] = {}
-    shortest = float("inf")
-    several = len(problem.recordings) > 1
-    for i, each in enumerate(problem.recordings):
-        own, length = first_window(each, plan.model, problem.constants)
-        own |= plan.start or {}
-        shortest = min(shortest, length)
-        for name, value in own.items():
-            found[f"{name}[{i + 1}]" if several else name] = value
-            found.setdefault(name, value)  # what is shared: as of the first recording
-    return found, shortest
-
-
-def _viscous(
-    plan: Plan, problem: Problem, first: dict[str, float], length: float, best: Optimum
-) -> float:
-    """Residuals that viscous friction leaves, beside an undamped model [rms]."""
-    if plan.frictions or any((plan.fixed or {}).get(name) for name in FRICTIONS):
-        return best.rms
-    damped = replace(plan, frictions=("viscous",)).problem(problem.recordings)
-    return climbed(damped, first, length, robust=plan.robust).rms
+    best = begun.best(plan, problem)
+    viscous = best.rms  # what an undamped model is to be compared with
+    if not plan.frictions and not any(plan.fixed.get(name) for name in FRICTIONS):
+        damped = replace(plan, frictions=("viscous",))
+        viscous = begun.best(damped, damped.problem(recordings)).rms
+    return result_of(plan, problem, best, viscous)
 
 
 def _quantity(measurement: Measurement) -> str:

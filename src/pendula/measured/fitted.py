@@ -39,6 +39,7 @@ class FittedRecording:
         measured: what was fitted, angles or rates or accelerations, (n, m); NaN: missing.
         fitted: the model's, (n, m).
         residuals: measured less fitted, (n, m).
+        rates: angular rates of the fitted motion at the samples, (n,), or (n, 2) [rad/s].
         start: state (θ, ω) or (θ1, θ2, ω1, ω2) at the first of the times, (d,) [rad, rad/s].
         system: the pendulum with the fitted values; None: one of them is unphysical.
         autocorrelation: of the residuals' noise from one sample to the next, (m,).
@@ -52,6 +53,7 @@ class FittedRecording:
     measured: Array
     fitted: Array
     residuals: Array
+    rates: Array
     start: Array
     system: System | None
     autocorrelation: Array

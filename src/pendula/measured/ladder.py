@@ -19,8 +19,16 @@ if TYPE_CHECKING:
 _GROWS = 3.0  # times as long is the next window
 
 
+Rungs = dict[frozenset[str], Optimum]  # optima of fewer samples, by the frictions in them
+
+
 def climbed(
-    problem: Problem, first: Mapping[str, float], length: float, *, robust: bool = False
+    problem: Problem,
+    first: Mapping[str, float],
+    length: float,
+    rungs: Rungs,
+    *,
+    robust: bool = False,
 ) -> Optimum:
     """The optimum of a problem, by way of every smaller set of its frictions.
 
@@ -33,13 +41,16 @@ def climbed(
         problem: what is to be fitted.
         first: what describes the first window, with viscous friction, by the names of the problem.
         length: of that window [s].
+        rungs: those that were found on the way to another model; what is found is added.
         robust: as for `minimise`.
     """
     frictions = [name for name in FRICTIONS if name in problem.free]
-    found: dict[frozenset[str], Optimum] = {}
+    found = rungs
     thin = problem.thinned(MOST)
     for count in range(1, len(frictions) + 1):
         for chosen in map(frozenset, combinations(frictions, count)):
+            if chosen in found:
+                continue
             smaller = _only(problem, chosen)
             if count == 1:
                 start = _begun(smaller, first, length, *chosen)
@@ -55,7 +66,7 @@ def climbed(
     if not frictions:
         start = _begun(problem, first, length, "")
         return minimise(problem, _grown(problem, start, length, robust=robust).x, robust=robust)
-    return minimise(problem, found[frozenset(frictions)].x, robust=robust)
+    return minimise(problem, _filled(problem, found[frozenset(frictions)]), robust=robust)
 
 
 def _rms(optimum: Optimum) -> float:

@@ -57,7 +57,7 @@ _READING = {
     "acceleration": (
         Row("acceleration_offset", "m/s²"),
         Row("sensor_radius", "m", "", 1.0, _SMALLEST),
-        Row("gravity_seen", "", "", 0.0),
+        Row("gravity_seen", "", "", 0.0),  # 1 or 0, never fitted
     ),
 }
 
@@ -90,71 +90,65 @@ class SingleModel:
         """Name of the offset of what is measured."""
         return _READING[self.quantity][0].name
 
-    def predict(
-        self, t: Array, values: Mapping[str, float], columns: Sequence[str]
-    ) -> tuple[Array, Array] | None:
-        """What is measured at the times, and its derivatives by some parameters.
+    def states(self, t: Array, values: Mapping[str, float]) -> Array:
+        """Of the motion at the times, (n, 2) [rad, rad/s]; NaN where it is not finite.
 
         Args:
             t: rising, the first that of the start, (n,) [s].
             values: of all parameters, by name.
-            columns: names of those to derive by, (k,); empty: only the prediction is made.
+        """
+        return _Motion.of(t, self, values).states()
 
-        Returns:
-            Predictions (n, 1) and derivatives (n, 1, k); None: the motion is not finite.
+    def seen(self, states: Array, values: Mapping[str, float]) -> Array:
+        """What is measured of states (n, 2), (n, 1)."""
+        import numpy as np
+
+        theta, omega = states.T
+        if self.quantity == "acceleration":
+            gravity = values["gravity_seen"] * values["omega0_squared"] * np.cos(theta)
+            shown = values["sensor_radius"] * (omega**2 + gravity)
+        else:
+            shown = values["scale"] * (theta if self.quantity == "angle" else omega)
+        return np.asarray((shown + values[self.offset])[:, np.newaxis])
+
+    def slopes(
+        self, t: Array, states: Array, values: Mapping[str, float], columns: Sequence[str]
+    ) -> Array:
+        """Derivatives of what is measured by some of the parameters, (n, 1, k).
+
+        Args:
+            t: as for `states`.
+            states: those at the times, (n, 2).
+            values: of all parameters, by name.
+            columns: names of those to derive by, (k,).
         """
         import numpy as np
 
         motion = _Motion.of(t, self, values)
-        states = motion.states()
-        if not np.isfinite(states).all():
-            return None
         inner = [name for name in columns if name in motion.columns]
-        found = np.zeros((len(t), 2, len(columns)))
+        derived = np.zeros((len(t), 2, len(columns)))
         if inner:
-            places = [columns.index(name) for name in inner]
-            found[:, :, places] = motion.derivatives(inner)
-        predicted, jacobian = self._seen(states, found, values, columns)
-        return predicted[:, np.newaxis], jacobian[:, np.newaxis]
-
-    def states(self, t: Array, values: Mapping[str, float]) -> Array:
-        """Of the motion at the times, the first that of the start, (n, 2) [rad, rad/s]."""
-        return _Motion.of(t, self, values).states()
-
-    def _seen(
-        self, states: Array, derived: Array, values: Mapping[str, float], columns: Sequence[str]
-    ) -> tuple[Array, Array]:
-        """Predictions (n,) and derivatives (n, k) of states (n, 2) and theirs (n, 2, k)."""
-        import numpy as np
-
+            derived[:, :, [columns.index(name) for name in inner]] = motion.derivatives(inner)
         theta, omega = states.T
         own: dict[str, Array] = {self.offset: np.ones(len(theta))}
-        offset = values[self.offset]
         if self.quantity == "acceleration":
             radius, seen, square = (
                 values[name] for name in ("sensor_radius", "gravity_seen", "omega0_squared")
             )
-            shape = omega**2 + seen * square * np.cos(theta)
-            jacobian = radius * (
-                2.0 * omega[:, np.newaxis] * derived[:, 1]
-                - seen * square * np.sin(theta)[:, np.newaxis] * derived[:, 0]
+            by_theta, by_omega = -seen * square * np.sin(theta), 2.0 * omega
+            found = (
+                by_theta[:, np.newaxis] * derived[:, 0] + by_omega[:, np.newaxis] * derived[:, 1]
             )
-            own |= {
-                "sensor_radius": shape,
-                "omega0_squared": radius * seen * np.cos(theta),
-                "gravity_seen": radius * square * np.cos(theta),
-            }
-            predicted = radius * shape + offset
+            found *= radius
+            own["sensor_radius"] = omega**2 + seen * square * np.cos(theta)
+            own["omega0_squared"] = radius * seen * np.cos(theta)
         else:
             i = 0 if self.quantity == "angle" else 1
-            scale = values["scale"]
-            predicted = scale * states[:, i] + offset
-            jacobian = scale * derived[:, i]
+            found = values["scale"] * derived[:, i]
             own["scale"] = states[:, i]
         for place, name in enumerate(columns):
-            if name in own:
-                jacobian[:, place] += own[name]
-        return predicted, jacobian
+            found[:, place] += own.get(name, 0.0)
+        return np.asarray(found[:, np.newaxis])
 
     def system(self, values: Mapping[str, float]) -> System | None:
         """The pendulum with these values, of inertia 1; None: one of them is unphysical."""

@@ -38,15 +38,24 @@ class Noise:
 
     Attributes:
         correlation: ρ, of neighbouring samples.
-        variance: of e.
+        innovation: variance of what is independent.
         uncertainty: standard error of atanh ρ.
         freedom: how many residuals the variance comes of.
     """
 
     correlation: float
-    variance: float
+    innovation: float
     uncertainty: float
     freedom: int
+
+    def varied(self, deviations: float = 0.0) -> tuple[float, float]:
+        """ρ and the variance of e, with atanh ρ off by so many standard errors.
+
+        The record tells the variance of what is independent well, and that of e not: where the
+        noise wanders slowly, it depends on ρ.
+        """
+        rho = math.tanh(math.atanh(self.correlation) + deviations * self.uncertainty)
+        return rho, self.innovation / (1.0 - rho * rho)
 
 
 def grid_places(t: Array) -> NDArray[np.int64]:
@@ -86,7 +95,7 @@ def noise_of(series: Series) -> Noise:
     least = 1.0 / math.sqrt(likelihood.n)
     return Noise(
         rho,
-        left / likelihood.freedom / (1.0 - rho * rho),
+        left / likelihood.freedom,
         max(1.0 / math.sqrt(bend), least) if bend > 0.0 else 1.0,
         likelihood.freedom,
     )
@@ -152,8 +161,8 @@ class _Likelihood:
         return 0.5 * lost, left
 
 
-def filtered(series: Series, rho: float) -> Array:
-    """Jᵀ V J, (k, k), of the autocorrelation V = ρ^|distance| of the noise."""
+def filtered(series: Series, rho: float, variance: float) -> Array:
+    """Jᵀ V J, (k, k), with the covariance V = variance ρ^|distance| of the noise."""
     import numpy as np
 
     n = int(series.places[-1]) + 1
@@ -165,7 +174,7 @@ def filtered(series: Series, rho: float) -> Array:
     smooth = np.fft.irfft(
         np.fft.rfft(spread, padded, axis=0) * kernel[:, np.newaxis], padded, axis=0
     )
-    return np.asarray(series.jacobian.T @ smooth[series.places])
+    return np.asarray(variance * (series.jacobian.T @ smooth[series.places]))
 
 
 def blocks(series: Series, count: int) -> Array:

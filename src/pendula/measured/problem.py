@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Protocol
 
 from pendula.measured.least_squares import least_squares
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from pendula.measured.model import Row
     from pendula.systems import System
 
-_LOST = 1e6  # standard deviations that a motion is off which is not finite
+_LOST = 1e6  # a residual where the motion is not finite
 
 
 class Model(Protocol):
@@ -29,13 +29,16 @@ class Model(Protocol):
     def rows(self) -> tuple[Row, ...]:
         """Its parameters."""
 
-    def predict(
-        self, t: Array, values: Mapping[str, float], columns: Sequence[str]
-    ) -> tuple[Array, Array] | None:
-        """Predictions (n, m) and derivatives (n, m, k); None: the motion is not finite."""
-
     def states(self, t: Array, values: Mapping[str, float]) -> Array:
-        """Of the motion at the times, the first that of the start, (n, d) [rad, rad/s]."""
+        """Of the motion at the times, the first that of the start, (n, d); NaN: not finite."""
+
+    def seen(self, states: Array, values: Mapping[str, float]) -> Array:
+        """What is measured of states (n, d), (n, m)."""
+
+    def slopes(
+        self, t: Array, states: Array, values: Mapping[str, float], columns: Sequence[str]
+    ) -> Array:
+        """Derivatives of what is measured by some of the parameters, (n, m, k)."""
 
     def system(self, values: Mapping[str, float]) -> System | None:
         """The pendulum with these values; None: one of them is unphysical."""
@@ -78,6 +81,7 @@ class Problem:
         shared: those of them that all recordings have in common.
         constants: values of those that are not fitted.
         free_signs: friction may be negative.
+        kept: states of the last parameters, by their bytes.
     """
 
     model: Model
@@ -86,6 +90,7 @@ class Problem:
     shared: tuple[str, ...]
     constants: Mapping[str, float]
     free_signs: bool = False
+    kept: dict[bytes, list[Array]] = field(default_factory=dict, init=False, repr=False)
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -131,36 +136,44 @@ class Problem:
         standard = {row.name: row.standard for row in self.model.rows}
         return {**standard, **self.constants, **fitted}
 
-    def predicted(self, x: Array) -> list[Array] | None:
-        """Of each recording, (n, m); None: a motion is not finite."""
-        found = []
-        for i, each in enumerate(self.recordings):
-            made = self.model.predict(each.t, self.values(i, x), ())
-            if made is None:
-                return None
-            found.append(made[0])
-        return found
+    def states(self, x: Array) -> list[Array]:
+        """Of the motion of each recording, (n, d); NaN where it is not finite.
+
+        Those of the last parameters are kept: the derivatives are asked for next.
+        """
+        key = x.tobytes()
+        if key not in self.kept:
+            self.kept.clear()
+            self.kept[key] = [
+                self.model.states(each.t, self.values(i, x))
+                for i, each in enumerate(self.recordings)
+            ]
+        return self.kept[key]
+
+    def predicted(self, x: Array) -> list[Array]:
+        """Of each recording, (n, m)."""
+        return [
+            self.model.seen(states, self.values(i, x)) for i, states in enumerate(self.states(x))
+        ]
 
     def residuals(self, x: Array) -> Array:
         """Predicted less measured, one recording and column after the other, (N,)."""
         import numpy as np
 
-        made = self.predicted(x)
-        if made is None:
-            return np.concatenate([_LOST * np.ones(int(r.there.sum())) for r in self.recordings])
-        parts = zip(made, self.recordings, strict=True)
-        return np.concatenate([(p - r.values).T[r.there.T] for p, r in parts])
+        parts = zip(self.predicted(x), self.recordings, strict=True)
+        found = np.concatenate([(p - r.values).T[r.there.T] for p, r in parts])
+        found[~np.isfinite(found)] = _LOST
+        return found
 
     def jacobian(self, x: Array) -> Array:
         """Derivatives of the residuals, (N, k)."""
         import numpy as np
 
         blocks = []
-        for i, each in enumerate(self.recordings):
-            made = self.model.predict(each.t, self.values(i, x), self.free)
+        for i, (each, states) in enumerate(zip(self.recordings, self.states(x), strict=True)):
             block = np.zeros((int(each.there.sum()), len(self.names)))
-            if made is not None:
-                block[:, self.places(i)] = made[1].transpose(1, 0, 2)[each.there.T]
+            slopes = self.model.slopes(each.t, states, self.values(i, x), self.free)
+            block[:, self.places(i)] = slopes.transpose(1, 0, 2)[each.there.T]
             blocks.append(block)
         return np.concatenate(blocks)
 

@@ -81,13 +81,13 @@ def result_of(plan: Plan, problem: Problem, best: Optimum, viscous: float) -> Fi
 def _recordings(problem: Problem, best: Optimum, errors: Errors) -> list[FittedRecording]:
     import numpy as np
 
-    predicted = problem.predicted(best.x)
-    assert predicted is not None
     found, column = [], 0
-    for i, (each, made) in enumerate(zip(problem.recordings, predicted, strict=True)):
+    states = problem.states(best.x)
+    for i, each in enumerate(problem.recordings):
         columns = range(column, column + each.values.shape[1])
         column = columns.stop
         values = problem.values(i, best.x)
+        made = problem.model.seen(states[i], values)
         found.append(
             FittedRecording(
                 measurement=each.measurement,
@@ -95,17 +95,18 @@ def _recordings(problem: Problem, best: Optimum, errors: Errors) -> list[FittedR
                 measured=each.values,
                 fitted=made,
                 residuals=each.values - made,
+                rates=states[i][:, 1],
                 start=np.array([values["theta"], values["omega"]]),
                 system=problem.model.system(values),
                 autocorrelation=np.array([errors.noises[j].correlation for j in columns]),
                 autocorrelation_time=float(np.mean([errors.times[j] for j in columns])),
-                quarters=_quarters(problem, best, i),
+                quarters=_quarters(problem, best, i, states[i]),
             )
         )
     return found
 
 
-def _quarters(problem: Problem, best: Optimum, i: int) -> Array:
+def _quarters(problem: Problem, best: Optimum, i: int, states: Array) -> Array:
     """The parameters fitted to each quarter of recording i alone, (4, k) or (0, k)."""
     import numpy as np
 
@@ -115,7 +116,6 @@ def _quarters(problem: Problem, best: Optimum, i: int) -> Array:
     whole = np.full((4, len(best.x)), np.nan)
     if swings < 4.0 * _SWINGS or len(recording.t) < 16 * len(best.x):
         return whole[:0]
-    states = problem.model.states(recording.t, values)
     edges = np.linspace(0, len(recording.t), 5).astype(int)
     places = problem.places(i)
     for quarter, (begin, end) in enumerate(pairwise(edges.tolist())):
