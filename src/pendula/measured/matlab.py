@@ -78,7 +78,7 @@ def _with_step(table: Table, arrays: Mapping[str, Array]) -> Table:
     )  # fmt: skip
     if step is None or step <= 0.0:
         return table
-    times = np.arange(table.lines.size) * step
+    times = np.arange(table.lines.size, dtype=np.float64) * step
     labels = ["t (s)", *(each.label for each in table.columns)]
     again = table_of("", labels, [times, *(each.values for each in table.columns)], what="sample")
     return again.noted(f"Times from the file's step of {step:g} s.")
