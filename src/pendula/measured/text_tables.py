@@ -44,7 +44,7 @@ def text_table(text: str, *, name: str = "") -> Table | None:
     header = header_of(_rows_before(bare[:start], dialect, width), width)
     notes = [] if (dialect.separator, dialect.mark) == (",", ".") else [f"{dialect}."]
     return _table(
-        name, header, numbers, places + start, [each[:1].upper() + each[1:] for each in notes]
+        name, header, numbers, places, [each[:1].upper() + each[1:] for each in notes]
     )
 
 
