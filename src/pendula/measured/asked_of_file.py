@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, field
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
 from pendula._checks import (
@@ -23,9 +25,6 @@ if TYPE_CHECKING:
     Names = int | str | Sequence[int | str]
 
 _MOST_SWINGS = 10_000
-Y_AXES = ("up", "down")
-ZEROS = ("down", "up")
-OUTLIERS = ("keep", "leave out")
 
 
 @dataclass(frozen=True)
@@ -92,34 +91,8 @@ def checked(**given: Any) -> Asked:
     Raises:
         ArgumentError: for a value of another kind.
     """
-    kept: dict[str, Any] = {name: value for name, value in given.items() if value is not None}
-    for name in ("angle", "rate", "x", "y", "radial", "period"):
-        if name in kept:
-            kept[name] = _names(name, kept[name])
-    for name in ("time", "length", "amplitude"):
-        if name in kept:
-            kept[name] = _name(name, kept[name])
-    for name, unit in (("frame_rate", "1/s"), ("scale", "m"), ("mass", "kg")):
-        if name in kept:
-            kept[name] = positive_number(name, kept[name], unit)
-    if "swings" in kept:
-        kept["swings"] = counted("swings", kept["swings"], _MOST_SWINGS)
-    if "leave_out" in kept:
-        kept["leave_out"] = tuple(
-            finite_array("leave_out", kept["leave_out"], "s").ravel().tolist()
-        )
-    for name in ("linear", "as_angle"):
-        if name in kept:
-            kept[name] = flag(name, kept[name])
-    if "window" in kept:
-        kept["window"] = window_of(kept["window"])
-    for name, choices in (("y_axis", Y_AXES), ("zero", ZEROS), ("outliers", OUTLIERS)):
-        if name in kept:
-            kept[name] = one_of(name, kept[name], choices)
-    for name in ("run", "sheet"):
-        if name in kept:
-            kept[name] = str(kept[name])
-    return Asked(**kept)
+    kept = {name: value for name, value in given.items() if value is not None}
+    return Asked(**{name: _CHECKS[name](name, value) for name, value in kept.items()})
 
 
 def window_of(value: Any) -> tuple[float, float]:
@@ -154,3 +127,25 @@ def _name(name: str, value: Any) -> Name:
 def _no_name(name: str, value: Any) -> ArgumentError:
     rule = "must be a column's label, or its number from 1, got {value}"
     return ArgumentError(name, rule, value=value)
+
+
+def _numbers(name: str, value: Any) -> tuple[float, ...]:
+    """Times, however they are given."""
+    return tuple(finite_array(name, value, "s").ravel().tolist())
+
+
+_CHECKS: dict[str, Callable[[str, Any], Any]] = {
+    **dict.fromkeys(("angle", "rate", "x", "y", "radial", "period"), _names),
+    **dict.fromkeys(("time", "length", "amplitude"), _name),
+    **dict.fromkeys(("unit", "time_unit", "run", "sheet"), lambda _, value: str(value)),
+    **dict.fromkeys(("linear", "as_angle"), flag),
+    "frame_rate": partial(positive_number, unit="1/s"),
+    "scale": partial(positive_number, unit="m"),
+    "mass": partial(positive_number, unit="kg"),
+    "swings": partial(counted, most=_MOST_SWINGS),
+    "y_axis": partial(one_of, choices=("up", "down")),
+    "zero": partial(one_of, choices=("down", "up")),
+    "outliers": partial(one_of, choices=("keep", "leave out")),
+    "window": lambda _, value: window_of(value),
+    "leave_out": _numbers,
+}

@@ -59,7 +59,8 @@ def circle_of(x: Array, y: Array) -> Circle | None:
     if found is None:
         return None
     (a, b, r), rms, error = found
-    return Circle(middle_u + a * size, middle_v + b * size, r * size, rms * size, error * size)
+    here = (middle_u + float(a) * size, middle_v + float(b) * size)
+    return Circle(*here, float(r) * size, rms * size, error * size)
 
 
 def _taubin(u: Array, v: Array) -> Array | None:

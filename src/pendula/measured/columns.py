@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import re
 from collections import Counter
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from pendula._messages import ArgumentError, meant
+from pendula.measured.headings import sensor_of
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
@@ -13,6 +16,7 @@ if TYPE_CHECKING:
     from pendula.measured.asked_of_file import Name
     from pendula.measured.tables import Column, Table
 
+_UNIT = re.compile(r"\s*[(\[][^)\]]*[)\]]")
 MOTION = ("angle", "rate", "x", "y", "acceleration", "force", "gate")
 
 
@@ -51,6 +55,20 @@ def name_in(table: Table, column: Column) -> Name:
 def shown(columns: Iterable[Column], table: Table) -> str:
     """Columns as a way out offers them: 'theta1' or 'theta2'."""
     return " or ".join(repr(name_in(table, each)) for each in columns)
+
+
+def in_context(table: Table, name: str) -> Table:
+    """The table, whose x, y and z are axes of the sensor that its file is named after."""
+    kind = sensor_of(name)
+    axes = {each.heading.axis for each in table.columns if each.heading.kind in ("x", "y", "other")}
+    if not kind or not {"x", "y", "z"} <= axes:
+        return table
+    return table.of(
+        replace(each, heading=replace(each.heading, kind=kind.kind, linear=kind.linear))
+        if each.heading.axis and each.heading.kind in ("x", "y", "other")
+        else each
+        for each in table.columns
+    )
 
 
 def runs_of(table: Table) -> dict[str, Table]:
@@ -119,7 +137,7 @@ def _run_named(column: Column) -> str:
 def _called(column: Column) -> set[str]:
     """The ways in which a label can be written, without case, unit and blanks."""
     label = column.label
-    bare = label.replace(f"({column.heading.written})", "") if column.heading.written else label
+    bare = _UNIT.sub("", label)
     return {_bare(each) for each in (label, bare, f"{column.group} {bare}")} - {""}
 
 

@@ -65,7 +65,9 @@ class Dialect:
 
     def number(self, cell: str) -> float | None:
         """A cell's number, NaN where there is none; None: it is something else."""
-        text = cell.strip().strip('"').replace("−", "-")
+        text = cell.strip().replace("−", "-")
+        if text[:1] == text[-1:] == '"':
+            text = text[1:-1].strip()
         if text.lower() in _MISSING:
             return math.nan
         if (_COMMA if self.mark == "," else _POINT).fullmatch(text):
@@ -76,16 +78,24 @@ class Dialect:
             return 3600 * int(hours or 0) + 60 * int(minutes) + float(seconds.replace(",", "."))
         return None
 
-    def is_row(self, line: str) -> int:
-        """How many cells a line of numbers has; 0: it is no such line.
+    def row(self, line: str) -> list[float] | None:
+        """The numbers of a line, NaN for what is none; None: it is no line of numbers.
 
-        A line of numbers may hold a text, a remark or a name, but more numbers than texts.
+        A line of numbers may hold a text, a remark or a name, but more numbers than texts. An
+        empty line is a row without numbers.
         """
         cells = self.cells(line)
+        if self.mark == ".":
+            try:
+                return list(map(float, cells))
+            except ValueError:
+                pass
         numbers = [self.number(cell) for cell in cells]
         texts = sum(each is None for each in numbers)
         found = sum(each is not None and math.isfinite(each) for each in numbers)
-        return len(cells) if found > texts else 0
+        if found <= texts and texts:
+            return None
+        return [math.nan if each is None else each for each in numbers]
 
 
 def dialect_of(lines: Sequence[str]) -> Dialect | None:
@@ -100,7 +110,9 @@ def dialect_of(lines: Sequence[str]) -> Dialect | None:
     for separator, mark in _CANDIDATES:
         for quoted in (False, True) if any('"' in line for line in tried) else (False,):
             dialect = Dialect(separator, mark, quoted)
-            widths = Counter(filter(None, map(dialect.is_row, tried)))
+            rows = [dialect.row(line) for line in tried]
+            numbers = [row for row in rows if row and not all(map(math.isnan, row))]
+            widths = Counter(map(len, numbers))
             if not widths:
                 continue
             width, most = max(widths.items(), key=lambda item: (item[1], item[0]))

@@ -21,8 +21,7 @@ from pendula.measured.tracker import tracker_table
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
-_ZIP, _OLE, _PARQUET, _HDF5 = b"PK\x03\x04", b"\xd0\xcf\x11\xe0", b"PAR1", b"\x89HDF\r\n\x1a\n"
-_MATLAB = b"MATLAB 5.0 MAT-file"
+_HDF5 = b"\x89HDF\r\n\x1a\n"
 _TABLES = (".csv", ".txt", ".tsv", ".dat", ".asc")
 _FOLDERS = ("meta", "__MACOSX")
 
@@ -42,27 +41,24 @@ def tables_of(data: bytes) -> list[Table]:
 
 
 def _tables(data: bytes) -> list[Table]:
-    if data.startswith(_ZIP):
-        return _of_zip(data)
-    if data.startswith(_OLE):
-        return _of_sheets(data)
-    if data.startswith(_PARQUET):
-        return [parquet_table(data)]
-    if data.startswith(b"CDF"):
-        return [netcdf_table(data)]
-    if data.startswith(_MATLAB) or _HDF5 in data[128:1024]:
+    for start, tables in _KINDS.items():
+        if data.startswith(start):
+            return tables(data)
+    if _HDF5 in data[128:1024]:  # behind MATLAB's own header
         return matlab_tables(data)
-    if data.startswith(_HDF5):
-        is_matlab = b"MATLAB_class" in data
-        return matlab_tables(data) if is_matlab else [netcdf_table(data)]
     start = data.lstrip(b"\xef\xbb\xbf \t\r\n")[:2000]
     if start.startswith((b"<?xml", b"<phyphox", b"<object")):
-        return [tracker_table(data)] if b"opensourcephysics" in start else [_of_phyphox(data)]
+        return [tracker_table(data) if b"opensourcephysics" in start else _of_phyphox(data)]
     text, encoding = decoded(data)
     table = text_table(text)
     if table is None:
         return []
     return [table if encoding == "UTF-8" else table.noted(f"The text is {encoding}.")]
+
+
+def _of_hdf5(data: bytes) -> list[Table]:
+    """Tables of an HDF5 file: MATLAB's marks its variables with their class."""
+    return matlab_tables(data) if b"MATLAB_class" in data else [netcdf_table(data)]
 
 
 def _of_zip(data: bytes) -> list[Table]:
@@ -125,3 +121,13 @@ def _of_phyphox(data: bytes) -> Table:
             return table_of(each.get("name", ""), labels, columns, what="sample")
     rule = "holds no recorded data"
     raise ArgumentError("path", rule, "save the state in phyphox after a measurement, or export it")
+
+
+_KINDS = {  # by the bytes they begin with
+    b"PK\x03\x04": _of_zip,
+    b"\xd0\xcf\x11\xe0": _of_sheets,
+    b"PAR1": lambda data: [parquet_table(data)],
+    b"CDF": lambda data: [netcdf_table(data)],
+    b"MATLAB 5.0 MAT-file": matlab_tables,
+    _HDF5: _of_hdf5,
+}

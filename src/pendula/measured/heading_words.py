@@ -76,7 +76,7 @@ OTHER = {  # known, and nothing that is asked for here
     *("vx", "vy", "vz", "temperature", "temperatura", "pressure", "frequency", "frecuencia"),
     *("frequenz", "frequence", "autocorrelation", "height", "altura", "hohe", "momentum"),
     *("latitude", "longitude", "lux", "magnetic", "proximity", "value", "potential", "kinetic"),
-    *("potencial", "cinetica", "masa", "masse", "massa", "g", "gravity", "gravedad", "b", "area"),
+    *("potencial", "cinetica", "masa", "masse", "massa", "g", "gravity", "gravedad", "area"),
     *("damping", "amortiguamiento", "width", "frequenza", "resonance", "rel"),
 }
 RUN = {

@@ -6,12 +6,18 @@ import re
 import unicodedata
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from itertools import pairwise
 
 from pendula.measured import heading_words as words
 from pendula.measured.header_units import header_unit
 
-_GREEK = str.maketrans({"θ": "theta", "Θ": "theta", "ϑ": "theta", "ω": "omega", "φ": "phi"})
-_GREEK |= str.maketrans({"ϕ": "phi", "α": "alpha", "β": "beta", "ψ": "psi", "Φ": "phi", "ß": "ss"})
+_GREEK = str.maketrans(
+    {
+        **dict.fromkeys("θΘϑ", " theta "),
+        **dict.fromkeys("φϕΦ", " phi "),
+        **{"ω": " omega ", "α": " alpha ", "β": " beta ", "ψ": " psi ", "ß": "ss"},
+    }
+)
 _BRACKETS = re.compile(r"\(([^()]*)\)|\[([^\[\]]*)\]|\{([^{}]*)\}")
 _BEHIND = re.compile(r"^(.+?)(?:\s*/\s*|\s+in\s+|\s+en\s+|\s*,\s*|\s+)([^\s/,]+(?:/[^\s/]+)?)$")
 _OF_ACCELERATION = re.compile(r"(?:a|acc|acce|gf)[xyz]")
@@ -21,6 +27,7 @@ _RUN_NUMBER = re.compile(r"#\s*(\d+)")
 _ORDINAL = re.compile(r"\b(\d+)(?:st|nd|rd|th|ra|da|er|ª|º|°)\b")
 _SUFFIXES = {"deg", "rad", "degrees", "grados", "radians", "radianes", "px", "mm", "cm", "grad"}
 _SHORT_SUFFIXES = {"s", "m", "ms", "pixels", "degree", "degs", "sec", "n"}
+_TIMES = {"ms", "s", "sec", "seg", "seconds", "segundos", "sekunden", "secondes", "millis"}
 _MULTIPLE = re.compile(rf"\b(\d+)\s*[x×*]?\s*{words.SWINGS}\b")
 _OF_MULTIPLE = re.compile(r"\bt[_ ]?(5|10|15|20|25|30|40|50|100)\b")
 _KINDS_OF_UNITS = {
@@ -35,15 +42,15 @@ class Heading:
 
     Attributes:
         kind: "time", "frame", "angle", "rate", "x", "y", "acceleration", "force", "length",
-            "amplitude", "period", "trial" (a run of a stopwatch), "gate" (a light barrier's state), "other"
-            (known, of no use here); empty: unknown.
+            "amplitude", "period", "trial" (a run of a stopwatch), "gate" (a light barrier's
+            state), "other" (known, of no use here); empty: unknown.
         axis: "x", "y" or "z", of a sensor; empty: none.
         absolute: the size of a vector.
         index: of the body, or the run, that a number in it names.
         run: the run that it names outright; empty: none.
         unit: in SI, "px" for pixels; empty: none is told.
         factor: what the numbers are multiplied by for that unit.
-        written: the unit as it is written.
+        written: the unit as it is written, known or not.
         weak: a name that also means something else.
         computed: simulated or fitted, not measured.
         upright: an angle counted from the upright position.
@@ -81,12 +88,25 @@ def heading_of(label: str, *, unit: str = "", group: str = "") -> Heading:
     text, written = _without_unit(text)
     written = unit.strip("()[]{} ") or written
     known = header_unit(written) if written else None
-    found = _meaning(text, _tokens(text), known[0] if known else "")
+    tokens = _tokens(text)
+    if not written:
+        written = _implied(tokens)
+        known = header_unit(written) if written else None
+    found = _meaning(text, tokens, known[0] if known else "")
     if known:
         found = replace(found, unit=known[0], factor=known[1])
     run = found.run or _run_of(front if colon else "") or _run_of(group)
     index = found.index or _letter(_tokens(group))
     return replace(found, run=run, index=index, written=written)
+
+
+def sensor_of(name: str) -> Heading | None:
+    """What a sensor measures, by the name of its file or sheet; None: it names none."""
+    said = set(_tokens(name))
+    linear = bool(said & words.LINEAR)
+    if said & words.RATE:
+        return Heading("rate")
+    return Heading("acceleration", linear=linear) if said & words.ACCELERATION else None
 
 
 def _without_unit(text: str) -> tuple[str, str]:
@@ -95,6 +115,9 @@ def _without_unit(text: str) -> tuple[str, str]:
         inside = next(filter(None, found.groups()), "")
         if header_unit(inside):
             return text[: found.start()] + " " + text[found.end() :], inside
+    unknown = _BRACKETS.search(text.strip())
+    if unknown and unknown.end() == len(text.strip()):
+        return text[: unknown.start()], next(filter(None, unknown.groups()), "")
     tokens = re.split(r"_+", text.strip().lower())
     for i, token in enumerate(tokens[1:], start=1):
         after = tokens[i + 1] if i + 1 < len(tokens) else ""
@@ -110,6 +133,13 @@ def _without_unit(text: str) -> tuple[str, str]:
         if unit and re.search(r"/|\sin\s|\sen\s|,", text):
             return behind[1], behind[2]
     return text, ""
+
+
+def _implied(tokens: list[str]) -> str:
+    """The unit that a label is itself, "ms", or that a program always means; empty: none."""
+    if any(re.fullmatch(r"gf[xyz]?", each) for each in tokens):
+        return "g"
+    return tokens[0] if len(tokens) == 1 and tokens[0] in _TIMES else ""
 
 
 def _tokens(text: str) -> list[str]:
@@ -150,23 +180,23 @@ def _meaning(text: str, tokens: list[str], unit: str) -> Heading:
 
 def _kind(text: str, said: set[str], unit: str, axis: str, swings: int | None) -> str:
     """The kind that words and unit name; a question mark behind it: it is weak."""
-    if said & words.ERROR:
-        return "other"
     of_unit = _KINDS_OF_UNITS.get(unit, "")
-    if unit == "s" or not unit:
-        kind = _kind_of_time(text, said, swings)
-        if kind:
-            return kind
-    if of_unit and of_unit not in ("time", "angle"):
-        angular = of_unit == "rate" and said & words.OTHER and not said & words.RATE
-        return "other" if angular else of_unit
-    if said & words.AMPLITUDE or (said & words.START and said & words.ANGLE):
-        return "amplitude"
-    if of_unit == "angle":
-        return "angle?" if said & words.WEAK_ANGLE else "angle"
-    if unit not in ("", "m", "px"):
-        return "other"
-    return _kind_without_unit(said, unit, axis)
+    starting = said & words.AMPLITUDE or (said & words.START and said & words.ANGLE)
+    angle = "angle?" if said & words.WEAK_ANGLE else "angle"
+    timed = _kind_of_time(text, said, swings) if unit in ("", "s") else ""
+    found = (
+        ("other", said & words.ERROR),
+        (timed, timed),
+        ("other", of_unit == "rate" and said & words.OTHER and not said & words.RATE),
+        ("other", of_unit == "time"),
+        (of_unit, of_unit not in ("", "angle")),
+        ("amplitude", starting),
+        (angle, of_unit == "angle"),
+        ("other", unit not in ("", "m", "px")),
+        (_kind_of_place(said, axis), unit),
+        (_kind_by_words(said, axis), True),
+    )
+    return next(kind for kind, holds in found if holds)
 
 
 def _kind_of_time(text: str, said: set[str], swings: int | None) -> str:
@@ -175,41 +205,41 @@ def _kind_of_time(text: str, said: set[str], swings: int | None) -> str:
         return "period"
     if said & words.TIME and not said & (words.NOT_TIME | words.VELOCITY | words.ANGLE):
         return "time"
-    return "trial" if said & words.RUN and not said - words.RUN - _counted(said) else ""
+    counted = {each for each in said if each.isdigit() or each in ("st", "nd", "rd", "th", "ra")}
+    return "trial" if said & words.RUN and not said - words.RUN - counted else ""
 
 
-def _counted(said: set[str]) -> set[str]:
-    return {each for each in said if each.isdigit() or each in ("st", "nd", "rd", "th", "ra", "da")}
+def _kind_of_place(said: set[str], axis: str) -> str:
+    """The kind of a column whose unit is a length or a pixel."""
+    if said & words.LENGTH and not axis:
+        return "length"
+    return axis if axis in ("x", "y") and not said & words.VELOCITY else "other"
 
 
-def _kind_without_unit(said: set[str], unit: str, axis: str) -> str:
+def _kind_by_words(said: set[str], axis: str) -> str:
     """The kind by the words alone."""
     angular = said & (words.ANGULAR | words.ANGLE)
-    accelerated = said & words.ACCELERATION or any(map(_OF_ACCELERATION.fullmatch, said))
-    if unit in ("m", "px"):
-        if said & words.LENGTH and not axis:
-            return "length"
-        return axis if axis in ("x", "y") and not said & words.VELOCITY else "other"
+    moving = said & {*words.VELOCITY, "v"}
     turning = said & words.RATE or any(map(_OF_RATE.fullmatch, said))
-    if turning or (angular and said & words.VELOCITY):
-        return "rate"
-    if angular:
-        return "other" if accelerated or said & {"a", "v", "p"} else "angle"
-    if accelerated and (axis or said & words.ABSOLUTE or len(said) == 1):
-        return "acceleration"
-    if said & words.FORCE:
-        return "force"
-    if axis and not said & {*words.VELOCITY, "v", *words.OTHER - words.POSITION}:
-        return axis if axis in ("x", "y") else "other"
-    if said & words.LENGTH:
-        return "length"
-    if said & words.WEAK_ANGLE:
-        return "angle?"
-    if said & words.FRAME and not axis:
-        return "frame"
-    if said & words.GATE:
-        return "gate"
-    return "other" if said & words.OTHER or axis else ""
+    accelerated = said & words.ACCELERATION or any(map(_OF_ACCELERATION.fullmatch, said))
+    whole = axis or said & words.ABSOLUTE or len(said) == 1
+    place = axis if axis in ("x", "y") else "other"
+    found = (
+        ("rate", turning or (angular and said & words.VELOCITY)),
+        ("other", angular and (accelerated or said & {"v", "p"})),
+        ("angle?", angular and said & {"a", "b"}),  # Tracker's θ_a, or the angle of a body a
+        ("angle", angular),
+        ("acceleration", accelerated and whole),
+        ("force", said & words.FORCE),
+        (place, axis and not moving and not said & (words.OTHER - words.POSITION)),
+        ("length", said & words.LENGTH),
+        ("angle?", said & words.WEAK_ANGLE),
+        ("frame", said & words.FRAME and not axis),
+        ("gate", said & words.GATE),
+        ("other", said & words.OTHER or axis),
+        ("", True),
+    )
+    return next(kind for kind, holds in found if holds)
 
 
 def _axis_of(tokens: list[str]) -> str:
@@ -238,7 +268,7 @@ def _run_of(text: str) -> str:
     number = _RUN_NUMBER.search(text) or _ORDINAL.search(text.lower())
     if number:
         return number[1]
-    for name, after in zip(tokens, tokens[1:], strict=False):
+    for name, after in pairwise(tokens):
         if name in words.RUN and (after.isdigit() or len(after) == 1):
             return after
     return ""
@@ -249,7 +279,7 @@ def _swings_of(text: str, tokens: list[str]) -> int | None:
     found = _MULTIPLE.search(text) or _OF_MULTIPLE.search(text)
     if found:
         return int(found[1])
-    for name, after in zip(tokens, tokens[1:], strict=False):
+    for name, after in pairwise(tokens):
         if name in words.NUMBERS and re.fullmatch(words.SWINGS, after):
             return words.NUMBERS[name]
     return None

@@ -9,14 +9,13 @@ from typing import TYPE_CHECKING, Any
 
 from pendula._checks import extra
 from pendula._messages import ArgumentError, one_line
-from pendula.measured.headings import Heading
-from pendula.measured.tables import Table, table_of
+from pendula.measured.headings import Heading, heading_of
+from pendula.measured.tables import Column, Table
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator, Mapping
+    from collections.abc import Iterator, Mapping, Sequence
 
     from pendula._types import Array
-    from pendula.measured.tables import Column
 
 _OPAQUE = "holds MATLAB objects ({text}), which only MATLAB can read"
 _WAY_OUT = "save its numbers in MATLAB with writematrix, or as plain arrays with save"
@@ -38,31 +37,64 @@ def matlab_tables(data: bytes) -> list[Table]:
     lengths: dict[int, dict[str, Array]] = {}
     for name, array in arrays.items():
         lengths.setdefault(max(array.shape), {})[name] = array
-    tables = [_table(each) for samples, each in lengths.items() if samples > 2]
-    return [_with_step(table, arrays) for table in tables]
+    columns = [_columns(each) for samples, each in lengths.items() if samples > 2]
+    timed = [each for each in columns if any(one.heading.kind == "time" for one in each)]
+    if len(timed) > 1:  # runs of different lengths
+        columns = [_of_one_length([one for each in timed for one in each])]
+    return [_with_step(_table(each), arrays) for each in columns if each]
 
 
-def _table(arrays: Mapping[str, Array]) -> Table:
-    """The columns of arrays of the same length; `y_1` with four rows has y_1[1] … y_1[4]."""
-    labels, values, groups = [], [], []
+def _columns(arrays: Mapping[str, Array]) -> list[Column]:
+    """The columns of arrays of the same length; `y_1` with four rows has y_1[1] … y_1[4].
+
+    Rows of a matrix have its name's meaning if that is an angle or a rate; "y" is one's name for
+    what is measured, and no coordinate.
+    """
+    import numpy as np
+
+    columns = list["Column"]()
     for name, array in arrays.items():
         rows = array if array.shape[0] <= array.shape[1] else array.T
+        heading = heading_of(name)
+        if len(rows) > 1:
+            turning = heading.kind in ("angle", "rate")
+            heading = heading if turning else Heading(index=heading.index, run=heading.run)
         for i, row in enumerate(rows, start=1):
-            labels.append(name if len(rows) == 1 else f"{name}[{i}]")
-            values.append(row.astype(float))
-            groups.append(name)
-    table = table_of("", labels, values, groups=groups, what="sample")
-    return table.of(_unnamed(each) if "[" in each.label else each for each in table.columns)
+            one = len(rows) == 1
+            index = str(i) if len(rows) == 2 and heading.kind else heading.index
+            label = name if one else f"{name}[{i}]"
+            columns.append(
+                Column(
+                    len(columns) + 1,
+                    label,
+                    row.astype(np.float64),
+                    heading if one else replace(heading, index=index),
+                    name,
+                )
+            )
+    return columns
 
 
-def _unnamed(column: Column) -> Column:
-    """A row of a matrix: "y" is one's name for what is measured, and no coordinate."""
-    heading = column.heading
-    return (
-        column
-        if heading.kind in ("angle", "rate")
-        else replace(column, heading=Heading(index=heading.index, run=heading.run))
-    )
+def _of_one_length(columns: Sequence[Column]) -> list[Column]:
+    """The columns, the shorter ones filled up with NaN."""
+    import numpy as np
+
+    longest = max(each.values.size for each in columns)
+    return [
+        replace(
+            each,
+            number=i,
+            values=np.pad(each.values, (0, longest - each.values.size), constant_values=np.nan),
+        )
+        for i, each in enumerate(columns, start=1)
+    ]
+
+
+def _table(columns: Sequence[Column]) -> Table:
+    import numpy as np
+
+    rows = np.arange(1.0, columns[0].values.size + 1)
+    return Table("", tuple(columns), rows, what="sample")
 
 
 def _with_step(table: Table, arrays: Mapping[str, Array]) -> Table:
@@ -78,10 +110,9 @@ def _with_step(table: Table, arrays: Mapping[str, Array]) -> Table:
     )  # fmt: skip
     if step is None or step <= 0.0:
         return table
-    times = np.arange(table.lines.size) * step
-    labels = ["t (s)", *(each.label for each in table.columns)]
-    again = table_of("", labels, [times, *(each.values for each in table.columns)], what="sample")
-    return again.noted(f"Times from the file's step of {step:g} s.")
+    t: Array = np.arange(table.lines.size, dtype=np.float64) * step
+    times = Column(0, "t (s)", t, heading_of("t (s)"))
+    return table.of([times, *table.columns]).noted(f"Times from the file's step of {step:g} s.")
 
 
 def _of_version_5(data: bytes) -> tuple[dict[str, Array], set[str]]:

@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from pendula.measured.asked_of_file import Asked, Log
     from pendula.measured.tables import Column, Table
 
+_SINCE_1970 = 1e8  # seconds, three years of them; no recording is as long
 _HOW = "name it with <angle=2>, <rate=2>, <x=2> and <y=3>, or <radial=2>, by label or number"
 
 
@@ -48,6 +49,7 @@ def time_column(table: Table, asked: Asked) -> Column | None:
     for kind in ("time", "frame", "period"):
         found = [each for each in measured if each.heading.kind == kind]
         rising = [each for each in found if is_time(each)] if kind != "time" else found
+        rising = [each for each in rising if not _is_clock(each)] or rising
         if len(rising) > 1:
             rising = [each for each in rising if each.heading.unit == "s"] or rising
         if len(rising) > 1 and not _are_alike(rising):
@@ -58,6 +60,13 @@ def time_column(table: Table, asked: Asked) -> Column | None:
             return rising[0]
     unknown = [each for each in measured if not each.heading.kind and not each.heading.written]
     return next((each for each in unknown if is_time(each)), None)
+
+
+def _is_clock(column: Column) -> bool:
+    """Whether times are counted from 1970, in whatever unit: others beside them are meant."""
+    import numpy as np
+
+    return bool(np.nanmin(column.values) > _SINCE_1970)
 
 
 def pick(table: Table, time: Column | None, t: Array, asked: Asked, log: Log) -> Picked:
@@ -81,7 +90,7 @@ def pick(table: Table, time: Column | None, t: Array, asked: Asked, log: Log) ->
     names = [name_in(table, each) for each in found.columns]
     if found.quantity == "position":
         log.took |= {"x": _one_or_all(names[::2]), "y": _one_or_all(names[1::2])}
-    elif found.quantity == "angle" or found.quantity == "rate":
+    elif found.quantity in ("angle", "rate"):
         log.took[found.quantity] = _one_or_all(names)
     return found
 
@@ -110,6 +119,14 @@ def _named(table: Table, asked: Asked) -> Picked:
     return Picked(quantity, columns)
 
 
+def _never_turns(column: Column) -> bool:
+    """Whether numbers rise all the way, or fall."""
+    import numpy as np
+
+    steps = np.diff(column.values[np.isfinite(column.values)])
+    return bool((steps > 0).all() or (steps < 0).all())
+
+
 def _at_most(argument: str, count: int, most: int) -> None:
     if count > most:
         rule = f"must name at most {most} columns, got {{value}}"
@@ -130,7 +147,7 @@ def _known(table: Table, rest: Sequence[Column], log: Log) -> Picked | None:
 
     angles, rates, points = of("angle"), of("rate"), _points(of("x"), of("y"))
     chosen: Picked | None = None
-    if angles:
+    if angles and len(points) <= len(angles):
         chosen = Picked("angle", _bodies(table, "angle", angles))
     elif points:
         chosen = _of_points(table, points)
@@ -190,7 +207,7 @@ def _are_alike(columns: Sequence[Column]) -> bool:
 
 
 def _points(xs: list[Column], ys: list[Column]) -> list[tuple[Column, Column]]:
-    """x and y that belong together: by what names their point, else in their order."""
+    """X and y that belong together: by what names their point, else in their order."""
     keys = [(each.group, each.heading.index, each.heading.axis) for each in xs]
     if len(set(keys)) == len(keys):
         by_key = {(each.group, each.heading.index): each for each in ys}
@@ -227,6 +244,10 @@ def _unknown(table: Table, rest: Sequence[Column], t: Array, log: Log) -> Picked
     """
     unknown = [each for each in rest if not each.heading.kind and not each.heading.written]
     if len(unknown) == 1:
+        if _never_turns(unknown[0]):
+            rule = f"holds no swing: {unknown[0]} rises all the way"
+            way_out = "a table of periods is named with <length=1> and <period=2>"
+            raise ArgumentError("path", rule, way_out)
         log.note(f"The angle is {unknown[0]}, the only column beside the times.")
         return Picked("angle", tuple(unknown))
     rates = rates_among(unknown, t)

@@ -40,7 +40,7 @@ def _of_column(t: Array, column: Array, threshold: float) -> Array:
         if kept.size < 9:
             break
         off = _deviations(t[kept], column[kept])
-        limit = threshold * _MAD * np.median(off)
+        limit = threshold * _MAD * float(np.median(off))
         steps = np.abs(np.diff(column[kept]))
         limit = max(limit, _STEPS * float(np.median(steps[steps > 0])) if steps.any() else 0.0)
         padded = np.pad(off, 2)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from fractions import Fraction
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from pendula._messages import ArgumentError
 from pendula.measured.circle import Circle, circle_of
@@ -21,7 +21,7 @@ _STILL = 0.02  # of the largest motion: a point that moves by less is a pivot
 
 
 def positions_of(columns: Sequence[Column], asked: Asked, log: Log) -> tuple[Array, str]:
-    """x and y of each point, y up, (n, m), and their unit, "m" or "px".
+    """X and y of each point, y up, (n, m), and their unit, "m" or "px".
 
     Args:
         columns: x and y of each point in turn.
@@ -175,7 +175,9 @@ def angles_about(values: Array, circle: Circle) -> Array:
     """
     import numpy as np
 
-    from_x, from_y, columns = circle.x, circle.y, []
+    from_x: Any = circle.x
+    from_y: Any = circle.y
+    columns = []
     for i in range(0, values.shape[1], 2):
         x, y = values[:, i], values[:, i + 1]
         angle = np.arctan2(x - from_x, from_y - y)

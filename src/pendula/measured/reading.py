@@ -10,8 +10,9 @@ from typing import TYPE_CHECKING, Any
 from pendula._messages import ArgumentError
 from pendula.measured import times
 from pendula.measured.asked_of_file import Asked, Log, checked
-from pendula.measured.columns import MOTION, named_column, runs_of
+from pendula.measured.columns import MOTION, in_context, named_column, runs_of
 from pendula.measured.files import tables_of
+from pendula.measured.measurement import Measurement, PeriodTable
 from pendula.measured.motion import time_column
 from pendula.measured.samples import measurement_of, seconds_of
 from pendula.measured.swings import gate_periods, is_period_table, period_table
@@ -21,7 +22,6 @@ if TYPE_CHECKING:
     from os import PathLike
 
     from pendula.measured.asked_of_file import Name, Names
-    from pendula.measured.measurement import Measurement, PeriodTable
     from pendula.measured.tables import Table
 
 _THRESHOLD = 6.0  # robust standard deviations, as `Measurement.outliers` has it
@@ -118,7 +118,8 @@ def read_all(path: str | PathLike[str], **given: Any) -> dict[str, Measurement |
     """
     asked = checked(**given)
     data = Path(path).read_bytes()
-    table = _table(tables_of(data), asked, Log())
+    tables = [in_context(table, table.name or Path(path).stem) for table in tables_of(data)]
+    table = _table(tables, asked, Log())
     names = [] if is_period_table(table, asked) else list(_runs(table, asked, Log()))
     if len(names) < 2:
         return {"1": _read(Path(path), asked)}
@@ -140,7 +141,8 @@ def _read(path: Path, asked: Asked) -> Measurement | PeriodTable:
 
 def _of_bytes(path: Path, data: bytes, asked: Asked) -> Measurement | PeriodTable:
     log = Log()
-    table = _table(tables_of(data), asked, log)
+    tables = [in_context(table, table.name or path.stem) for table in tables_of(data)]
+    table = _table(tables, asked, log)
     log.notes += table.notes
     found: Measurement | PeriodTable
     if is_period_table(table, asked):
@@ -155,7 +157,7 @@ def _of_bytes(path: Path, data: bytes, asked: Asked) -> Measurement | PeriodTabl
         reading=log.took,
         notes=tuple(log.notes),
     )
-    return found if not hasattr(found, "t") else _narrowed(found, asked)
+    return found if isinstance(found, PeriodTable) else _narrowed(found, asked)
 
 
 def _narrowed(found: Measurement, asked: Asked) -> Measurement:
@@ -198,6 +200,9 @@ def _table(tables: list[Table], asked: Asked, log: Log) -> Table:
             if table.name == asked.sheet:
                 log.took["sheet"] = asked.sheet
                 return table
+        if len(tables) == 1:
+            rule = "cannot be {value}: the file has one table only"
+            raise ArgumentError("sheet", rule, "leave it out", value=asked.sheet)
         rule = "must be one of {choices}, got {value}"
         raise ArgumentError("sheet", rule, choices=names, value=asked.sheet)
     useful = [table for table in tables if _is_useful(table, asked)] or tables
@@ -255,10 +260,10 @@ def _runs(table: Table, asked: Asked, log: Log) -> dict[str, Table]:
                 if any(one.number == time.number for one in each.columns)
             }
         return beside
-    time = time_column(table, asked)
-    if time is None or time.heading.kind == "frame":
+    found = time_column(table, asked)
+    if found is None or found.heading.kind == "frame":
         return {"1": table}
-    rows = table.rows(np.isfinite(time.values))
-    t = time.values[np.isfinite(time.values)]
+    rows = table.rows(np.isfinite(found.values))
+    t = found.values[np.isfinite(found.values)]
     below = times.stacked(t)
     return {str(i): rows.rows(each) for i, each in enumerate(below, start=1)}

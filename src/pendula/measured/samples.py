@@ -52,7 +52,8 @@ def measurement_of(whole: Table, table: Table, asked: Asked, log: Log) -> Measur
         if log_rows:
             log.note(log_rows)
     t = seconds_of(table, time, asked, log)
-    times.check_rising(t, table, "row numbers" if time is None else str(time))
+    if asked.frame_rate is None:
+        times.check_rising(t, table, str(time))
     picked = pick(table, time, t, asked, log)
     values, unit, geometry = _values(picked, whole, table, t, asked, log)
     again = asked.frame_rate is None or _is_frames(time)
@@ -206,7 +207,8 @@ def _pivot(at: Array, picked: Picked, table: Table, log: Log) -> dict[str, float
     """Where the point is that stands still; it is named with the others in what was taken."""
     import numpy as np
 
-    x, y = picked.pivot or ()
+    assert picked.pivot is not None
+    x, y = picked.pivot
     for name, column in (("x", x), ("y", y)):
         taken = log.took[name]
         taken = taken if isinstance(taken, tuple) else (taken,)

@@ -96,9 +96,11 @@ def radial_of(
 
     factor = unit_factor(columns, asked, log, "m/s²", "m/s^2")
     if factor is None:
-        factor = Fraction(1)
-        log.took["unit"] = "m/s^2"
-        log.note("No unit is told: m/s².")
+        means = [abs(float(np.nanmean(each.values))) for each in columns]
+        in_g = _SIZE_OF_G[0] / _G < max(means) < _SIZE_OF_G[1] / _G and not asked.linear
+        log.took["unit"] = "g" if in_g else "m/s^2"
+        factor = Fraction(str(_G)) if in_g else Fraction(1)
+        log.note("No unit is told: " + ("g, as the mean is about 1." if in_g else "m/s²."))
     values = [scaled(each.values, factor) for each in columns]
     steady = [_steadiness(column) for column in values]
     i = int(np.argmax(steady))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import csv
+import math
 import re
 from typing import TYPE_CHECKING
 
@@ -17,6 +18,7 @@ if TYPE_CHECKING:
 
 _COMMENT = re.compile(r"\s*(?:#|%|//|!|')+\s?(.*)")
 _WORDS = re.compile(r"\s{2,}|\t+")
+_WITH_UNITS = re.compile(r"[^()\[\]]+[(\[][^)\]]*[)\]]")
 _LABELS = re.compile(r"[^\s(\[]+(?:\s*[(\[][^)\]]*[)\]])?")
 
 
@@ -33,14 +35,16 @@ def text_table(text: str, *, name: str = "") -> Table | None:
     dialect = dialect_of([line for line in plain if line.strip()])
     if dialect is None:
         return None
-    start, end, width = _block(lines, dialect)
+    rows = [dialect.row(line) for line in lines]
+    start, end = _block(rows)
     if start == end:
         return None
+    numbers, places = _numbers(rows[start:end], start)
+    width = numbers.shape[1]
     header = header_of(_rows_before(bare[:start], dialect, width), width)
-    numbers, places = _numbers(lines[start:end], dialect, width)
     notes = [] if (dialect.separator, dialect.mark) == (",", ".") else [f"{dialect}."]
     return _table(
-        name, header, numbers, places + start, [each[:1].upper() + each[1:] for each in notes]
+        name, header, numbers, places, [each[:1].upper() + each[1:] for each in notes]
     )
 
 
@@ -62,52 +66,31 @@ def _without_comment(line: str) -> tuple[str, bool]:
     return (found[1], True) if found else (line, False)
 
 
-def _block(lines: Sequence[str], dialect: Dialect) -> tuple[int, int, int]:
-    """Where the longest run of lines of numbers begins and ends, and how wide it is."""
-    best, start, count, width, widest = (0, 0, 0), 0, 0, 0, 0
-    last = 0
-    for i, line in enumerate([*lines, "end"]):
-        cells = dialect.is_row(line) if line else 0
-        if cells:
-            if not count:
-                start, widest = i, 0
-            count, last, widest = count + 1, i + 1, max(widest, cells)
-        elif not _is_empty(line, dialect) and count:
-            if count > width:
-                best, width = (start, last, widest), count
+def _block(rows: Sequence[list[float] | None]) -> tuple[int, int]:
+    """Where the longest run of rows of numbers begins and ends; empty rows do not end one."""
+    best, start, last, count = (0, 0, 0), 0, 0, 0
+    for i, row in enumerate([*rows, None]):
+        if row is None:
+            best = max(best, (count, start, last))
             count = 0
-    return best
+        elif not all(map(math.isnan, row)):
+            start = i if count == 0 else start
+            count, last = count + 1, i + 1
+    return best[1], best[2]
 
 
-def _is_empty(line: str, dialect: Dialect) -> bool:
-    """Whether a line holds neither text nor number: an empty one, or empty cells only."""
-    if not line.strip():
-        return True
-    cells = dialect.cells(line)
-    return len(cells) > 1 and all(dialect.number(cell) is not None for cell in cells)
-
-
-def _numbers(lines: Sequence[str], dialect: Dialect, width: int) -> tuple[Array, Array]:
-    """The numbers (n, width), NaN where there are none, and which line each row is, from 1."""
+def _numbers(rows: Sequence[list[float] | None], start: int) -> tuple[Array, Array]:
+    """The numbers (n, width), NaN where there are none, and the line of each row, from 1."""
     import numpy as np
 
-    rows, places = [], []
-    comma = dialect.mark == ","
-    empty = [np.nan] * width
-    for i, line in enumerate(lines, start=1):
-        cells = dialect.cells(line)
-        try:
-            row = [float(cell.replace(",", ".") if comma else cell) for cell in cells]
-        except ValueError:
-            read = map(dialect.number, cells)
-            row = [np.nan if each is None else each for each in read]
-        if row:
-            rows.append(row + empty[len(row) :])
-            places.append(i)
-    values = np.array(rows, dtype=np.float64)
+    there = [(i, row) for i, row in enumerate(rows, start=start + 1) if row]
+    width = max(len(row) for _, row in there)
+    if any(len(row) < width for _, row in there):
+        there = [(i, row + [math.nan] * (width - len(row))) for i, row in there]
+    values = np.array([row for _, row in there], dtype=np.float64)
     values[np.isinf(values)] = np.nan
     kept = np.isfinite(values).any(axis=1)
-    return values[kept], np.array(places, dtype=np.float64)[kept]
+    return values[kept], np.array([i for i, _ in there], dtype=np.float64)[kept]
 
 
 def _rows_before(
@@ -133,12 +116,14 @@ def _header_cells(line: str, dialect: Dialect, width: int) -> list[str]:
         cells = next(csv.reader([line], delimiter=dialect.separator, skipinitialspace=True), [])
         if len(cells) >= width or len(cells) > 1:
             return [cell.strip() for cell in cells]
-    for cells in (
+    ways = (
         *(next(csv.reader([line], delimiter=each), []) for each in ";\t,|"),
         _WORDS.split(line.strip()),
+        _WITH_UNITS.findall(line),
         _LABELS.findall(line),
         line.split(),
-    ):
+    )
+    for cells in sorted(ways, key=lambda each: len(each) != width):
         if len(cells) in (width, width + 1):
             return [cell.strip().strip('"') for cell in cells]
     return [line.strip()]

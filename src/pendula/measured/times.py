@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from pendula._messages import ArgumentError
 
 if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
     from pendula._types import Array
     from pendula.measured.asked_of_file import Log
     from pendula.measured.tables import Table
@@ -17,7 +19,7 @@ _LONG = 3.0  # times the usual step: a gap
 _UNEVEN = 0.05  # of a step: steps that differ by more are told
 
 
-def falls(t: Array) -> Array:
+def falls(t: Array) -> NDArray[Any]:
     """Places at which the time is before that of the sample in front, (k,)."""
     import numpy as np
 
@@ -52,11 +54,14 @@ def check_rising(t: Array, table: Table, label: str) -> None:
             f"falls from {t[i - 1]:g} to {t[i]:g} s at {table.what} {table.lines[i]:.0f} of the "
             f"file, in {label}"
         )
-        way_out = "name the column of times with <time=1>, or a part that rises with <window=0,10>"
+        way_out = (
+            "correct that line, name another column of times with <time=1>, or give the frames per "
+            "second with <frame_rate=30> if they are even"
+        )
         raise ArgumentError("time", rule, way_out)
 
 
-def standing(t: Array, values: Array, log: Log, table: Table) -> tuple[Array, Array]:
+def standing(t: Array, values: Array, log: Log, table: Table) -> tuple[Array, NDArray[Any]]:
     """Times that are told apart, and which samples are kept (n,), of times that may repeat.
 
     Printed times are rounded: frames of the same printed time follow one another evenly. Where
@@ -110,15 +115,19 @@ def frame_rate_of(t: Array) -> float | None:
         return None
     for rate in (*_RATES, float(round(1 / slope)), 1 / slope):
         made = t[0] + frames / rate if rate > 0 else t
-        off = made - t
-        # the first printed time is rounded too: all may be off by as much
-        if rate > 0 and np.ptp(off - np.clip(off, -half, half)) <= 2 * half[0]:
+        off = t - made
+        # the first printed time is rounded too: all may be off by as much, in the same direction
+        if rate > 0 and (off - half).max() <= (off + half).min():
             return float(rate)
     return None
 
 
 def _rounding(t: Array) -> Array:
-    """The steps of the printed digits around each time, (n,): those of the longest one there."""
+    """The steps of the printed digits around each time, (n,).
+
+    They are as fine as the longest number of a decade shows, and never coarser than those of larger
+    times: programs print as many decimals for all, or as many digits.
+    """
     import numpy as np
 
     steps = np.diff(t)
@@ -127,10 +136,10 @@ def _rounding(t: Array) -> Array:
         return np.full(t.size, np.inf)
     size = np.abs(t)
     decades = np.floor(np.log10(np.maximum(size, risen.min())))
-    rounding = np.empty(t.size)
-    for decade in np.unique(decades):
+    rounding, digits = np.empty(t.size), 0
+    for decade in np.unique(decades)[::-1]:
         inside = decades == decade
-        digits = next((d for d in range(9) if _has_digits(t[inside], d)), 9)
+        digits = next((d for d in range(digits, 9) if _has_digits(t[inside], d)), 9)
         rounding[inside] = 10.0**-digits
     return rounding
 

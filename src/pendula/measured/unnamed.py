@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from pendula.measured.circle import circle_of
+from pendula.measured.positions import downward
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -95,8 +96,6 @@ def in_order(
     shows gravity most clearly.
     """
     import numpy as np
-
-    from pendula.measured.positions import downward
 
     swapped = [(y, x) for x, y in pairs]
     shown = [
