@@ -44,7 +44,7 @@ def value(printed: str, name: str, decimal: str = ".") -> tuple[float, float]:
 
 
 def test_values_have_their_uncertainty_and_unit(call: Call) -> None:
-    printed = quiet(call, f"fit {written()} --length 49cm")
+    printed = quiet(call, f"fit {written()} --length 49cm --model viscous")
     found, error = value(printed, "gravity g")
     assert abs(found - OMEGA2 * 0.49) <= 3.0 * error
     assert "gravity g                      9." in printed
@@ -53,19 +53,21 @@ def test_values_have_their_uncertainty_and_unit(call: Call) -> None:
 
 
 def test_error_of_the_length_widens_that_of_g(call: Call) -> None:
-    printed = quiet(call, f"fit {written()} --length 49cm --length-error 1cm")
+    printed = quiet(call, f"fit {written()} --length 49cm --length-error 1cm --model viscous")
     assert value(printed, "gravity g")[1] == pytest.approx(OMEGA2 * 0.01, rel=0.06)
 
 
 def test_spanish_is_spanish(call: Call) -> None:
-    printed = quiet(call, f"fit {written()} --lang es")
+    printed = quiet(call, f"fit {written()} --lang es --model viscous")
     found, error = value(printed, "frecuencia propia ω₀", ",")
     assert abs(found - math.sqrt(OMEGA2)) <= 3.0 * error
     assert "fricción viscosa\n" in printed
 
 
 def test_report_is_written_and_named(call: Call) -> None:
-    printed = quiet(call, f"fit {written()} --report out --author 'Ana Gil' --title 'A swing'")
+    printed = quiet(
+        call, f"fit {written()} --model viscous --report out --author 'Ana Gil' --title 'A swing'"
+    )
     assert printed.splitlines()[-1] == str(Path("out") / "report.html")
     shown = page(Path("out")).words
     assert "Ana Gil" in shown
@@ -77,6 +79,17 @@ def test_existing_report_is_refused_before_the_fit(call: Call) -> None:
     code, printed, error = call(f"fit {written()} --report out")
     assert (code, printed) == (2, "")
     assert error == "pendula: out exists; choose another name, or pass --force\n"
+
+
+def test_models_are_compared_unless_one_is_named(call: Call) -> None:
+    printed = quiet(call, f"fit {written()}")
+    rows = printed.splitlines()
+    assert rows[0].split() == ["model", "residuals", "BIC", "above", "the", "best"]
+    bic = {row.rsplit(None, 2)[0]: int(row.split()[-1].replace("\u202f", "")) for row in rows[1:12]}
+    assert bic["viscous friction"] < 3
+    assert bic["undamped"] > 100
+    assert "described by this model: viscous friction." in printed
+    assert value(printed, "natural frequency ω₀")[0] == pytest.approx(math.sqrt(OMEGA2), rel=1e-3)
 
 
 def test_model_is_named(call: Call) -> None:
@@ -124,7 +137,7 @@ def test_corrections_are_chosen_by_name(call: Call) -> None:
 
 def test_real_swing_is_fitted(call: Call) -> None:
     file = real("single_three_runs_semicolon_degrees.csv")
-    printed = quiet(call, f"fit {file} --run 1 --window 0.7s,100s")
+    printed = quiet(call, f"fit {file} --run 1 --window 0.7s,100s --model viscous")
     found, error = value(printed, "ω₀² = g/L, or m g c/I")
     assert abs(found - 17.3418) < 3.0 * error < 0.01  # an independent least squares
 

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from scipy.special import ellipj, ellipk
 
-from pendula.measured import Apparatus, Fit, Horizon, PeriodTable, fit, fit_periods
+from pendula.measured import Apparatus, Fit, Horizon, PeriodTable, compare_models, fit, fit_periods
 from pendula.measured.rounding import with_uncertainty
 from pendula.plot.labels import labels
 from pendula.plot.measured import autocorrelation
@@ -122,6 +122,15 @@ def test_report_is_a_page_a_sheet_figures_and_numbers(
     assert float(rows[7]["theta measured [rad]"]) == fitted.measurement.values[7, 0]
 
 
+def test_report_of_several_models_has_their_verdict(tmp_path: Path) -> None:
+    found = compare_models(recording(), ["undamped", "viscous", "coulomb"])
+    folder = write_fit_report(found, tmp_path / "report", "es")
+    shown = page(folder).words
+    assert found.verdict("es") in shown
+    assert "sin amortiguamiento" in shown
+    assert (folder / "figures" / "measured-models.svg").exists()
+
+
 def test_the_same_report_has_the_same_bytes(fitted: Fit, tmp_path: Path) -> None:
     first, second = (write_fit_report(fitted, tmp_path / name) for name in "ab")
     for path in ("report.html", "report.pdf", "figures/measured-fit.svg"):
@@ -141,10 +150,9 @@ def test_report_of_a_double_pendulum_says_how_long_it_is_followed(
     twice = replace(
         one,
         measurement=replace(one.measurement, names=("theta1", "theta2"), bodies=2),
-        **{
-            name: np.hstack([getattr(one, name)] * 2)
-            for name in ("measured", "fitted", "residuals")
-        },
+        measured=np.hstack([one.measured] * 2),
+        fitted=np.hstack([one.fitted] * 2),
+        residuals=np.hstack([one.residuals] * 2),
     )
     double = replace(fitted, recordings=(twice,), horizon=Horizon(0.01, 0.64, True, 12.0))
     folder = write_fit_report(double, tmp_path / "report")

@@ -21,6 +21,7 @@ from pendula.cli.tables import can_print, paragraph, table
 if TYPE_CHECKING:
     from pathlib import Path
 
+    from pendula.measured.compare import Comparison
     from pendula.measured.fitted import Fit
     from pendula.measured.measurement import Measurement, PeriodTable
     from pendula.measured.periods import PeriodFit
@@ -43,7 +44,7 @@ def _fit(**given: Any) -> None:
         click.echo(write_fit_report(found, report, given["lang"], **named) / "report.html")
 
 
-def fit_of(file: str, given: dict[str, Any]) -> Fit | PeriodFit:
+def fit_of(file: str, given: dict[str, Any]) -> Fit | Comparison | PeriodFit:
     """What the options make of a recording or of a table of periods."""
     from pendula.measured import read
     from pendula.measured.measurement import PeriodTable
@@ -71,21 +72,20 @@ def _checked_report(given: dict[str, Any]) -> Path | None:
     return folder
 
 
-def _fit_motion(measurement: Measurement, given: dict[str, Any]) -> Fit:
-    from pendula.measured import fit
+def _fit_motion(measurement: Measurement, given: dict[str, Any]) -> Fit | Comparison:
+    from pendula.measured import compare_models, fit
 
     if measurement.quantity == "position":
         measurement = measurement.as_angle()
     length, error = quantity_of(given, "length"), quantity_of(given, "length_error")
-    return fit(
-        measurement,
-        given["model"],
-        length=length if length is None or error is None else (length, error),
-        gravity=quantity_of(given, "gravity"),
-        signs=given["signs"],
-        robust=given["robust"],
-        uncertainty=given["uncertainty"],
-    )
+    options: dict[str, Any] = {
+        "length": length if length is None or error is None else (length, error),
+        "gravity": quantity_of(given, "gravity"),
+        **{name: given[name] for name in ("signs", "robust", "uncertainty")},
+    }
+    if given["model"] is None:
+        return compare_models(measurement, **options)
+    return fit(measurement, given["model"], **options)
 
 
 def _fit_periods(measured: PeriodTable, given: dict[str, Any]) -> PeriodFit:
@@ -104,15 +104,30 @@ def _fit_periods(measured: PeriodTable, given: dict[str, Any]) -> PeriodFit:
     )
 
 
-def _motion_told(found: Fit, language: str) -> list[str]:
+def _motion_told(found: Fit | Comparison, language: str) -> list[str]:
+    from pendula.measured.compare import Comparison
     from pendula.measured.words import worded
     from pendula.study.measured.facts import value_rows
     from pendula.study.report import catalogue
 
-    catalog = catalogue(language)
+    catalog, lines = catalogue(language), []
+    if isinstance(found, Comparison):
+        lines = _models_told(found, language, catalog["measured"])
+        found = found.best
     rows = value_rows(found, language, catalog)
     notes = [*found.measurement.notes, *(note.sentence(language) for note in found.notes)]
-    return [worded(found.model, language), table(_header(catalog), rows), *map(paragraph, notes)]
+    lines += [worded(found.model, language), table(_header(catalog), rows)]
+    return [*lines, *map(paragraph, notes)]
+
+
+def _models_told(found: Comparison, language: str, words: dict[str, str]) -> list[str]:
+    from pendula.plot.labels import labels
+    from pendula.study.measured.facts import model_rows
+    from pendula.study.notation import Numbers
+
+    header = [words[name] for name in ("model", "residuals", "above")]
+    rows = model_rows(found, language, Numbers(labels(language)))
+    return [table(header, rows), paragraph(found.verdict(language)), ""]
 
 
 def _periods_told(found: PeriodFit, language: str) -> list[str]:

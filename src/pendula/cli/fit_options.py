@@ -82,10 +82,9 @@ def fitting_options() -> list[click.Parameter]:
         *_values(_KNOWN),
         click.Option(
             ["--model"],
-            default="viscous",
-            show_default=True,
             metavar="NAMES",
-            help="kinds of friction joined by +: viscous, coulomb, quadratic, cubic; undamped",
+            help="kinds of friction joined by +: viscous, coulomb, quadratic, cubic; undamped "
+            "[default: all are compared]",
         ),
         click.Option(
             ["--signs"],

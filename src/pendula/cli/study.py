@@ -10,6 +10,7 @@ from pendula.cli.fit_options import fitting_options, reading_options
 from pendula.cli.progress import progress_bar
 
 if TYPE_CHECKING:
+    from pendula.measured.compare import Comparison
     from pendula.measured.fitted import Fit
     from pendula.measured.periods import PeriodFit
 
@@ -86,7 +87,7 @@ def command(
 command.params.extend(_MEASURING)
 
 
-def _fitted(measured: str | None, measuring: dict[str, Any]) -> Fit | PeriodFit | None:
+def _fitted(measured: str | None, measuring: dict[str, Any]) -> Fit | Comparison | PeriodFit | None:
     """The recording that gets a chapter, fitted.
 
     Raises:

@@ -19,7 +19,7 @@ from pendula.plot.style import (
 )
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable
+    from collections.abc import Iterable, Sequence
 
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
@@ -215,6 +215,37 @@ def measured_methods(compared: Compared, *, language: str = "en") -> Figure:
     below.set_ylabel(words.axis["experiment_difference"].format(unit=unit))
     below.set_xlabel(words.axis["time"])
     legend_above(figure, top, columns=4)
+    return figure
+
+
+@styled
+def measured_models(
+    names: Sequence[str],
+    residuals: Sequence[float],
+    preferred: int,
+    unit: str,
+    *,
+    language: str = "en",
+) -> Figure:
+    """Residuals that each model leaves, the best at the top of a logarithmic axis.
+
+    Args:
+        names: of the models, in the language.
+        residuals: root of the mean square of each [unit].
+        preferred: place of the model that is.
+        unit: of the residuals.
+        language: "en" or "es".
+    """
+    words = labels(language)
+    figure, axes = panels(1, 1, 0.8 + 0.22 * len(names), words)
+    ax, order = axes[0, 0], np.argsort(residuals)
+    for place, i in enumerate(order):
+        look = _SWING if i == preferred else _DATA | {"markersize": 5}
+        ax.plot(residuals[i], place, **look | {"marker": "o"})
+    ax.set_yticks(range(len(names)), [names[i] for i in order])
+    ax.invert_yaxis()
+    logarithmic(ax, "x")
+    ax.set_xlabel(words.axis["residual_rms"].format(unit=unit))
     return figure
 
 

@@ -21,6 +21,7 @@ if TYPE_CHECKING:
 
     from pendula._progress import StepProgress
     from pendula._recipe_file import RecipeSource
+    from pendula.measured.compare import Comparison
     from pendula.measured.fitted import Fit
     from pendula.measured.periods import PeriodFit
     from pendula.study.schema import Recipe
@@ -41,7 +42,7 @@ def run_study(
     language: str = "en",
     *,
     figures: str | Sequence[str] = (),
-    measured: Fit | PeriodFit | None = None,
+    measured: Fit | Comparison | PeriodFit | None = None,
     overwrite: bool = False,
     progress: StepProgress | bool | None = None,
 ) -> Path:
@@ -56,7 +57,8 @@ def run_study(
         out: the folder to make.
         language: of the report, "en" or "es".
         figures: kinds to write each figure as besides SVG: "pdf", "png" or both.
-        measured: a fitted recording or table of periods that gets a chapter; None: none does.
+        measured: a fitted recording, several models of one, or a fitted table of periods, which
+            gets a chapter; None: none does.
         overwrite: replace what stands at `out`, once the new study is complete.
         progress: called with what is being done and the share that is done, from 0 to 1; True: a
             bar, in a notebook or a terminal.
@@ -95,7 +97,7 @@ def _write(
     folder: Path,
     language: str,
     kinds: Sequence[str],
-    measured: Fit | PeriodFit | None,
+    measured: Fit | Comparison | PeriodFit | None,
     progress: StepProgress,
 ) -> None:
     from pendula.study.data import write_data
@@ -129,7 +131,7 @@ def _write(
 
 
 def _add_chapter(
-    measured: Fit | PeriodFit, folder: Path, kinds: Sequence[str], data: dict[str, Any]
+    measured: Fit | Comparison | PeriodFit, folder: Path, kinds: Sequence[str], data: dict[str, Any]
 ) -> None:
     """Add what was measured: its figures and tables, and what the text reads."""
     from pendula.study.measured.report import content_of, write_pieces

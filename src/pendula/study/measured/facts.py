@@ -15,6 +15,7 @@ from pendula.measured.words import worded
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
+    from pendula.measured.compare import Comparison
     from pendula.measured.fitted import Fit
     from pendula.measured.measurement import Measurement, PeriodTable
     from pendula.measured.periods import PeriodFit
@@ -48,6 +49,12 @@ def measured_facts(
         "swings": _swings(results, numbers),
         "methods": _methods(results, words, numbers),
         "horizon": _horizon(fit, numbers),
+        "models": None
+        if results.models is None
+        else {
+            "rows": model_rows(results.models, words.language, numbers),
+            "verdict": results.models.verdict(words.language),
+        },
     }
 
 
@@ -74,6 +81,19 @@ def value_rows(fit: Fit, language: str, catalog: Mapping[str, Any]) -> list[list
     return [
         [_named(name, catalog), with_uncertainty(*each, language=language)]
         for name, each in (*fit.derived.items(), *fitted)
+    ]
+
+
+def model_rows(models: Comparison, language: str, numbers: Numbers) -> list[list[str]]:
+    """Name, residuals and BIC above that of the best of each model."""
+    unit = models.best.measurement.unit
+    return [
+        [
+            worded(row.model, language),
+            _in_degrees(row.rms, unit, numbers),
+            numbers.fixed(row.bic, 0),
+        ]
+        for row in models.rows
     ]
 
 

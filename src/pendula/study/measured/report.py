@@ -16,6 +16,7 @@ if TYPE_CHECKING:
 
     from matplotlib.figure import Figure
 
+    from pendula.measured.compare import Comparison
     from pendula.measured.fitted import Fit
     from pendula.measured.periods import PeriodFit
     from pendula.study.data import Columns
@@ -42,7 +43,7 @@ class Content(NamedTuple):
 
 
 def write_fit_report(
-    fit: Fit | PeriodFit,
+    fit: Fit | Comparison | PeriodFit,
     out: str | PathLike[str],
     language: str = "en",
     *,
@@ -56,7 +57,7 @@ def write_fit_report(
     stands at `out` before all is done.
 
     Args:
-        fit: of a recording, or of a table of periods.
+        fit: of a recording, several models of one, or of a table of periods.
         out: the folder to make.
         language: "en" or "es".
         title: of the report; empty: one that says what it is.
@@ -93,7 +94,9 @@ def write_fit_report(
     return Path(out)
 
 
-def content_of(fit: Fit | PeriodFit, language: str, catalog: Mapping[str, Any]) -> Content:
+def content_of(
+    fit: Fit | Comparison | PeriodFit, language: str, catalog: Mapping[str, Any]
+) -> Content:
     """What a report says of a fit of either kind."""
     from pendula.measured.periods import PeriodFit
 
@@ -121,7 +124,7 @@ def write_pieces(folder: Path, content: Content, kinds: Sequence[str] = ()) -> N
         write_table(folder / "data" / f"{name}.csv", columns)
 
 
-def _of_motion(fit: Fit, language: str, catalog: Mapping[str, Any]) -> Content:
+def _of_motion(fit: Fit | Comparison, language: str, catalog: Mapping[str, Any]) -> Content:
     from pendula.study.measured.facts import measured_facts
     from pendula.study.measured.figures import measured_figures
     from pendula.study.measured.results import measured_results

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from pendula.measured.compare import Comparison
 from pendula.measured.whole_swings import seen, swings
 from pendula.study.measured.comparison import compare_methods
 
@@ -27,6 +28,7 @@ class MeasuredResults:
         swings: whole swings of it; None: too few.
         model_swings: those of the fitted model.
         compared: formulas and methods beside the experiment; None as for `recorded`.
+        models: the comparison that preferred this fit; None: its model was chosen.
     """
 
     fit: Fit
@@ -34,18 +36,23 @@ class MeasuredResults:
     swings: Swings | None
     model_swings: Swings | None
     compared: MethodComparison | None
+    models: Comparison | None
 
 
-def measured_results(fit: Fit) -> MeasuredResults:
-    """What can be said of the first recording of a fit."""
+def measured_results(given: Fit | Comparison) -> MeasuredResults:
+    """What can be said of the first recording of a fit, or of the preferred of several models."""
+    models = given if isinstance(given, Comparison) else None
+    fit = given.best if isinstance(given, Comparison) else given
     recording = fit.recordings[0]
     single = recording.fitted.shape[1] == 1
     if not single or recording.system is None or recording.measurement.quantity == "acceleration":
-        return MeasuredResults(fit, None, None, None, None)
+        return MeasuredResults(fit, None, None, None, None, models)
     recorded = seen(recording)
     found = swings(recorded)
     compared = compare_methods(fit, recorded)
     if len(found.t) < _FEWEST_SWINGS:
-        return MeasuredResults(fit, recorded, None, None, compared)
+        return MeasuredResults(fit, recorded, None, None, compared, models)
     own = recorded.model.theta if recorded.is_angle else recorded.model.omega
-    return MeasuredResults(fit, recorded, found, swings(recorded._replace(values=own)), compared)
+    return MeasuredResults(
+        fit, recorded, found, swings(recorded._replace(values=own)), compared, models
+    )
