@@ -9,7 +9,17 @@ import numpy as np
 import pytest
 from scipy.special import ellipj, ellipk
 
-from pendula.measured import Apparatus, Fit, Horizon, PeriodTable, compare_models, fit, fit_periods
+from pendula import DampedDoublePendulum, solve
+from pendula.measured import (
+    Apparatus,
+    Fit,
+    Horizon,
+    Measurement,
+    PeriodTable,
+    compare_models,
+    fit,
+    fit_periods,
+)
 from pendula.measured.rounding import with_uncertainty
 from pendula.plot.labels import labels
 from pendula.plot.measured import autocorrelation
@@ -143,24 +153,57 @@ def test_report_is_not_overwritten_unasked(fitted: Fit, tmp_path: Path) -> None:
         write_fit_report(fitted, tmp_path / "report")
 
 
-def test_report_of_a_double_pendulum_says_how_long_it_is_followed(
-    fitted: Fit, tmp_path: Path
-) -> None:
+def two_bobs(fitted: Fit) -> Fit:
+    """A fit of a double pendulum, made by hand of the motion itself and noise."""
+    system = DampedDoublePendulum.bobs(viscous=(0.01, 0.01))
+    t, start = np.arange(0.0, 3.0, 0.01), np.array([0.8, 0.5, 0.0, 0.0])
+    exact = solve(system, start, t).theta
+    measured = exact + NOISE * np.random.default_rng(2).standard_normal(exact.shape)
     one = fitted.recordings[0]
-    twice = replace(
+    measurement = Measurement(t, measured, "angle", ("theta1", "theta2"), "rad", bodies=2)
+    double = replace(
         one,
-        measurement=replace(one.measurement, names=("theta1", "theta2"), bodies=2),
-        measured=np.hstack([one.measured] * 2),
-        fitted=np.hstack([one.fitted] * 2),
-        residuals=np.hstack([one.residuals] * 2),
+        measurement=measurement,
+        t=t,
+        measured=measured,
+        fitted=exact,
+        residuals=measured - exact,
+        start=start,
+        system=system,
     )
-    double = replace(fitted, recordings=(twice,), horizon=Horizon(0.01, 0.64, True, 12.0))
-    folder = write_fit_report(double, tmp_path / "report")
-    assert "for 0.640 s; the computation itself is right for 12.0 s" in page(folder).words
+    horizon = Horizon(0.01, 0.64, True, 12.0)
+    return replace(fitted, recordings=(double,), horizon=horizon)
+
+
+@pytest.mark.parametrize(
+    ("language", "said"),
+    [
+        ("en", "for 0.640 s; the computation itself is right for 12.0 s"),
+        ("es", "durante 0,640 s; el cálculo mismo es correcto durante 12,0 s"),
+    ],
+)
+def test_report_of_a_double_pendulum_says_how_long_it_is_followed(
+    fitted: Fit, tmp_path: Path, language: str, said: str
+) -> None:
+    folder = write_fit_report(two_bobs(fitted), tmp_path / "report", language)
+    assert said in page(folder).words
     assert {each.stem for each in (folder / "figures").iterdir()} == {
         "measured-fit",
         "measured-autocorrelation",
+        "measured-methods",
     }
+
+
+def test_methods_are_judged_on_both_angles_of_a_double_pendulum(fitted: Fit) -> None:
+    compared = measured_results(two_bobs(fitted)).compared
+    assert compared is not None
+    errors = {name: compared.errors(name) for name in compared.runs}
+    assert list(errors) == ["model", "euler", "heun", "rk4"]
+    # the scale of a column is found from it, to the few digits that noise leaves
+    assert errors["model"].rms == pytest.approx(NOISE, rel=0.1)
+    both = np.abs(compared.values("euler") - compared.values("model"))
+    assert errors["euler"].of_the_method == both.max()
+    assert errors["rk4"].of_the_method < 1e-3 < errors["heun"].of_the_method
 
 
 @pytest.mark.parametrize(("language", "law"), [("en", "Birge's ratio"), ("es", "razón de Birge")])

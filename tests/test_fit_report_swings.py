@@ -87,5 +87,5 @@ def test_rates_are_those_of_the_motion() -> None:
 def test_accelerations_are_refused() -> None:
     fitted = fit(recording(), "viscous").recordings[0]
     other = replace(fitted, measurement=replace(fitted.measurement, quantity="acceleration"))
-    with pytest.raises(ValueError, match="recording must be of the angle or the rate of one"):
+    with pytest.raises(ValueError, match="recording must be of angles or rates"):
         seen(other)

@@ -30,7 +30,8 @@ class Seen(NamedTuple):
 
     Attributes:
         t: (n,) [s].
-        values: the angle [rad] or the rate [rad/s], its offset taken off, (n,); NaN: missing.
+        values: the angle [rad] or the rate [rad/s], its offset taken off, (n,), of a double
+            pendulum (n, 2); NaN: missing.
         is_angle: whether the values are angles.
         model: the fitted motion at those times.
     """
@@ -60,26 +61,26 @@ def seen(recording: FittedRecording) -> Seen:
     """The recording as angle or rate.
 
     Raises:
-        ValueError: for a recording of accelerations or of a double pendulum, or a fit whose values
-            no pendulum has.
+        ValueError: for a recording of accelerations, or a fit whose values no pendulum has.
     """
     import numpy as np
 
     quantity = recording.measurement.quantity
-    if recording.fitted.shape[1] != 1 or quantity == "acceleration":
-        rule = "must be of the angle or the rate of one pendulum, got {value}"
-        raise ArgumentError("recording", rule, value=quantity)
+    if quantity == "acceleration":
+        raise ArgumentError("recording", "must be of angles or rates, got {value}", value=quantity)
     model = recording.trajectory()
     is_angle = quantity != "rate"
-    own = model.theta if is_angle else model.omega
-    # scale and offset of the sensor are what takes the one to the other
-    scale, offset = np.polyfit(own, recording.fitted[:, 0], 1)
-    values = (recording.measured[:, 0] - offset) / scale
-    return Seen(recording.t, values, is_angle, model)
+    own = (model.theta if is_angle else model.omega).reshape(recording.fitted.shape)
+    values = np.empty_like(own)
+    for i, column in enumerate(own.T):
+        # scale and offset of the sensor are what takes the one to the other
+        scale, offset = np.polyfit(column, recording.fitted[:, i], 1)
+        values[:, i] = (recording.measured[:, i] - offset) / scale
+    return Seen(recording.t, values[:, 0] if len(own.T) == 1 else values, is_angle, model)
 
 
 def swings(recorded: Seen) -> Swings:
-    """The swings of a recording; none where the motion turns over or is too short.
+    """The swings of a recording of one pendulum; none where the motion turns over or is too short.
 
     The fitted motion says where to look; time and height come from a curve through the samples.
     """
@@ -112,7 +113,7 @@ def periods_at(omega0_squared: float, amplitude: Array) -> Array:
 
 
 def rates(recorded: Seen) -> tuple[Array, Array]:
-    """Angle [rad] and rate [rad/s] of the samples: what was not measured is the fitted motion's.
+    """Angle [rad] and rate [rad/s] of one pendulum's samples: what was not measured is the fitted motion's.
 
     A rate is the difference of angles about a fortieth of a period apart.
     """

@@ -51,7 +51,7 @@ class Compared(Protocol):
 
     @property
     def measured(self) -> Array:
-        """Angles [rad] or rates [rad/s], (n,)."""
+        """Angles [rad] or rates [rad/s], (n,) or (n, 2)."""
 
     @property
     def is_angle(self) -> bool:
@@ -62,10 +62,10 @@ class Compared(Protocol):
         """Names of the solutions."""
 
     def values(self, name: str) -> Array:
-        """One solution, (n,)."""
+        """One solution, shaped alike."""
 
     def difference(self, name: str) -> Array:
-        """How far it is from the experiment, (n,)."""
+        """How far it is from the experiment, shaped alike."""
 
 
 @styled
@@ -196,25 +196,28 @@ def measured_methods(compared: Compared, *, language: str = "en") -> Figure:
         language: "en" or "es".
     """
     words = labels(language)
-    figure, axes = panels(2, 1, 4.6, words, sharex=True)
-    top, below = axes[:, 0]
-    t, measured = _thinned(compared.t, np.degrees(compared.measured))
-    top.plot(t, measured, label=words.name("measured"), **_DATA)
+    measured = np.degrees(_columns(compared.measured))
+    m = measured.shape[1]
+    figure, axes = panels(m + 1, 1, 2.6 + 2.0 * m, words, sharex=True)
+    kind, unit = ("angle", "°") if compared.is_angle else ("rate", "°/s")
+    for i, ax in enumerate(axes[:m, 0]):
+        ax.plot(*_thinned(compared.t, measured[:, i]), label=words.name("measured"), **_DATA)
+        for name in compared.runs:
+            values = np.degrees(_columns(compared.values(name))[:, i])
+            ax.plot(compared.t, values, label=words.name(name), **_LOOKS.get(name, line(name)))
+        reach = 1.15 * float(np.nanmax(np.abs(measured[:, i])))
+        ax.set_ylim(-reach, reach)
+        ax.set_ylabel(words.axis[f"angle_{i + 1}" if m > 1 else f"measured_{kind}"])
+    below = axes[m, 0]
     for name in compared.runs:
-        look = _LOOKS.get(name, line(name))
-        values = np.degrees(compared.values(name))
-        top.plot(compared.t, values, label=words.name(name), **look)
-        error = for_logarithm(np.degrees(compared.difference(name)))
-        below.plot(compared.t, error, **look | {"linewidth": 1.0})
-    reach = 1.15 * float(np.nanmax(np.abs(measured)))
-    top.set_ylim(-reach, reach)
+        largest = _columns(compared.difference(name)).max(axis=1)
+        look = _LOOKS.get(name, line(name)) | {"linewidth": 1.0}
+        below.plot(compared.t, for_logarithm(np.degrees(largest)), **look)
     logarithmic(below, "y")
     below.set_xlim(compared.t[0], compared.t[-1])
-    kind, unit = ("angle", "°") if compared.is_angle else ("rate", "°/s")
-    top.set_ylabel(words.axis[f"measured_{kind}"])
     below.set_ylabel(words.axis["experiment_difference"].format(unit=unit))
     below.set_xlabel(words.axis["time"])
-    legend_above(figure, top, columns=4)
+    legend_above(figure, axes[0, 0], columns=4)
     return figure
 
 
@@ -272,6 +275,11 @@ def _shown(recording: FittedRecording) -> tuple[str, str, float]:
     if quantity == "acceleration":
         return quantity, "m/s²", 1.0
     return ("rate", "°/s", 180.0 / np.pi) if quantity == "rate" else ("angle", "°", 180.0 / np.pi)
+
+
+def _columns(values: Array) -> Array:
+    """Of one angle (n, 1), of two (n, 2)."""
+    return values.reshape(len(values), -1)
 
 
 def _thinned(t: Array, values: Array) -> tuple[Array, Array]:

@@ -46,11 +46,11 @@ class MethodComparison:
 
     Attributes:
         t: times of the samples, (n,) [s].
-        measured: angles [rad] or rates [rad/s], (n,); NaN: missing.
+        measured: angles [rad] or rates [rad/s], (n,), of a double pendulum (n, 2); NaN: missing.
         is_angle: which of both.
-        runs: "undamped" (the closed form without friction), "damped-linear" (the closed form of
-            the linear pendulum with viscous friction), "model" (the fitted model without error of
-            a method), and the methods that solve the fitted model with the step.
+        runs: of one pendulum "undamped" (the closed form without friction) and "damped-linear" (the
+            closed form of the linear pendulum with viscous friction); "model" (the fitted model
+            without error of a method), and the methods that solve the fitted model with the step.
         step: of the methods [s].
     """
 
@@ -61,13 +61,14 @@ class MethodComparison:
     step: float
 
     def values(self, name: str) -> Array:
-        """What was measured, as one run has it, (n,); NaN from where the run ended."""
+        """What was measured, as one run has it, shaped alike; NaN from where the run ended."""
         run = self.runs[name]
         found = run.theta if self.is_angle else run.omega
-        return np.pad(found, (0, len(self.t) - len(found)), constant_values=np.nan)
+        missing = [(0, len(self.t) - len(found)), (0, 0)][: found.ndim]
+        return np.pad(found, missing, constant_values=np.nan)
 
     def difference(self, name: str) -> Array:
-        """How far one run is from the experiment, (n,); NaN where either is missing."""
+        """How far one run is from the experiment, shaped alike; NaN where either is missing."""
         return np.abs(self.values(name) - self.measured)
 
     def errors(self, name: str) -> Errors:
@@ -88,24 +89,29 @@ def compare_methods(fit: Fit, recorded: Seen) -> MethodComparison:
     All start from the fitted state, with the fitted values.
     """
     recording = fit.recordings[0]
-    square = fit["omega0_squared"].value
-    period = math.tau / math.sqrt(square)
+    period = math.tau / recorded.model.system.slowest_frequency
     early = recorded.t <= recorded.t[0] + _SWINGS * period
     t, start = recorded.t[early], recording.start
     step, t0 = _round_step(period / _STEPS_A_PERIOD), float(t[0])
-    linear = LinearPendulum(1.0, square, 1.0, viscous=_damping(fit, recorded))
-    runs = {
-        "undamped": exact(SimplePendulum(1.0, square), start, t, t0=t0),
-        "damped-linear": exact(linear, start, t, t0=t0),
-        "model": recording.trajectory(t),
-    }
+    runs = {} if recorded.values.ndim > 1 else _closed_forms(fit, recorded, t)
+    runs["model"] = recording.trajectory(t)
     system = runs["model"].system
     with np.errstate(over="ignore", invalid="ignore"):
         runs |= {name: solve(system, start, t, name, t0=t0, step=step) for name in METHODS}
     return MethodComparison(t, recorded.values[early], recorded.is_angle, runs, step)
 
 
-def _damping(fit: Fit, recorded: Seen) -> float:
+def _closed_forms(fit: Fit, recorded: Seen, t: Array) -> dict[str, Trajectory]:
+    """One pendulum without friction, and the linear one with viscous friction."""
+    square, start, t0 = fit["omega0_squared"].value, fit.start, float(t[0])
+    linear = LinearPendulum(1.0, square, 1.0, viscous=_damping(recorded))
+    return {
+        "undamped": exact(SimplePendulum(1.0, square), start, t, t0=t0),
+        "damped-linear": exact(linear, start, t, t0=t0),
+    }
+
+
+def _damping(recorded: Seen) -> float:
     """Friction over inertia of the linear pendulum that loses as much energy in the record [1/s].
 
     Of E ∝ exp(−b t) for viscous friction b over the inertia.

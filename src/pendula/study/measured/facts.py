@@ -15,6 +15,7 @@ from pendula.measured.words import worded
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
+    from pendula._types import Array
     from pendula.measured.compare import Comparison
     from pendula.measured.fitted import Fit
     from pendula.measured.measurement import Measurement, PeriodTable
@@ -40,7 +41,7 @@ def measured_facts(
         "samples": numbers.fixed(fit.n_samples, 0),
         "effective": numbers.plain(fit.n_effective, 3),
         "span": numbers.plain(float(times[-1] - times[0])),
-        "spacing": numbers.duration(float(np.median(np.diff(times)))),
+        "spacing": _spacing(times, numbers),
         "model": worded(fit.model, words.language),
         "values": value_rows(fit, words.language, catalog),
         "plain_factor": _plain_factor(fit, numbers),
@@ -138,6 +139,12 @@ def _source(measured: Measurement | PeriodTable) -> dict[str, Any]:
         "checksum": measured.checksum[:_SHORT],
         "notes": list(measured.notes),
     }
+
+
+def _spacing(times: Array, numbers: Numbers) -> str:
+    """The usual step between samples."""
+    step = float(np.median(np.diff(times)))
+    return f"{numbers.plain(1e3 * step)}\u00a0ms" if step < 1.0 else f"{numbers.plain(step)}\u00a0s"
 
 
 def _plain_factor(fit: Fit, numbers: Numbers) -> str | None:

@@ -38,7 +38,7 @@ def measured_figures(results: MeasuredResults, language: str) -> dict[str, Calla
         square = results.fit["omega0_squared"].value
         drawers["measured-damping"] = lambda: damping(found, own, language=language)
         drawers["measured-period"] = lambda: period_of_amplitude(found, square, language=language)
-    if recorded is not None:
+    if recorded is not None and recorded.values.ndim == 1:
         drawers["measured-portrait"] = lambda: measured_portrait(recorded, language=language)
     if compared is not None:
         drawers["measured-methods"] = lambda: measured_methods(compared, language=language)

@@ -23,9 +23,9 @@ class MeasuredResults:
 
     Attributes:
         fit: of the recording.
-        recorded: the recording as angle or rate; None: of accelerations, of a double pendulum, or
-            without a physical model.
-        swings: whole swings of it; None: too few.
+        recorded: the recording as angle or rate; None: of accelerations, or without a physical
+            model.
+        swings: whole swings of it; None: too few, or of a double pendulum.
         model_swings: those of the fitted model.
         compared: formulas and methods beside the experiment; None as for `recorded`.
         models: the comparison that preferred this fit; None: its model was chosen.
@@ -44,12 +44,13 @@ def measured_results(given: Fit | Comparison) -> MeasuredResults:
     models = given if isinstance(given, Comparison) else None
     fit = given.best if isinstance(given, Comparison) else given
     recording = fit.recordings[0]
-    single = recording.fitted.shape[1] == 1
-    if not single or recording.system is None or recording.measurement.quantity == "acceleration":
+    if recording.system is None or recording.measurement.quantity == "acceleration":
         return MeasuredResults(fit, None, None, None, None, models)
     recorded = seen(recording)
-    found = swings(recorded)
     compared = compare_methods(fit, recorded)
+    if recorded.values.ndim > 1:
+        return MeasuredResults(fit, recorded, None, None, compared, models)
+    found = swings(recorded)
     if len(found.t) < _FEWEST_SWINGS:
         return MeasuredResults(fit, recorded, None, None, compared, models)
     own = recorded.model.theta if recorded.is_angle else recorded.model.omega
