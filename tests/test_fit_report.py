@@ -25,7 +25,6 @@ from pendula.plot.labels import labels
 from pendula.plot.measured import autocorrelation
 from pendula.study import run_study
 from pendula.study.measured.facts import measured_facts
-from pendula.study.measured.report import write_fit_report
 from pendula.study.measured.results import measured_results
 from pendula.study.notation import Numbers
 from pendula.study.report import catalogue
@@ -116,7 +115,7 @@ def test_facts_are_rounded_to_their_uncertainty(fitted: Fit) -> None:
 def test_report_is_a_page_a_sheet_figures_and_numbers(
     fitted: Fit, tmp_path: Path, language: str, expected: tuple[str, str]
 ) -> None:
-    folder = write_fit_report(fitted, tmp_path / "report", language, author="Ana Gil")
+    folder = fitted.report(tmp_path / "report", language, author="Ana Gil")
     shown = page(folder).words
     for text in (*expected, "Ana Gil", "swing.csv"):
         assert text in shown
@@ -134,7 +133,7 @@ def test_report_is_a_page_a_sheet_figures_and_numbers(
 
 def test_report_of_several_models_has_their_verdict(tmp_path: Path) -> None:
     found = compare_models(recording(), ["undamped", "viscous", "coulomb"])
-    folder = write_fit_report(found, tmp_path / "report", "es")
+    folder = found.report(tmp_path / "report", "es")
     shown = page(folder).words
     assert found.verdict("es") in shown
     assert "sin amortiguamiento" in shown
@@ -142,7 +141,7 @@ def test_report_of_several_models_has_their_verdict(tmp_path: Path) -> None:
 
 
 def test_the_same_report_has_the_same_bytes(fitted: Fit, tmp_path: Path) -> None:
-    first, second = (write_fit_report(fitted, tmp_path / name) for name in "ab")
+    first, second = (fitted.report(tmp_path / name) for name in "ab")
     for path in ("report.html", "report.pdf", "figures/measured-fit.svg"):
         assert (first / path).read_bytes() == (second / path).read_bytes()
 
@@ -150,7 +149,7 @@ def test_the_same_report_has_the_same_bytes(fitted: Fit, tmp_path: Path) -> None
 def test_report_is_not_overwritten_unasked(fitted: Fit, tmp_path: Path) -> None:
     (tmp_path / "report").mkdir()
     with pytest.raises(FileExistsError, match="report exists; choose another name"):
-        write_fit_report(fitted, tmp_path / "report")
+        fitted.report(tmp_path / "report")
 
 
 def two_bobs(fitted: Fit) -> Fit:
@@ -185,7 +184,7 @@ def two_bobs(fitted: Fit) -> Fit:
 def test_report_of_a_double_pendulum_says_how_long_it_is_followed(
     fitted: Fit, tmp_path: Path, language: str, said: str
 ) -> None:
-    folder = write_fit_report(two_bobs(fitted), tmp_path / "report", language)
+    folder = two_bobs(fitted).report(tmp_path / "report", language)
     assert said in page(folder).words
     assert {each.stem for each in (folder / "figures").iterdir()} == {
         "measured-fit",
@@ -209,7 +208,7 @@ def test_methods_are_judged_on_both_angles_of_a_double_pendulum(fitted: Fit) -> 
 @pytest.mark.parametrize(("language", "law"), [("en", "Birge's ratio"), ("es", "razón de Birge")])
 def test_report_of_periods_has_its_corrections(tmp_path: Path, language: str, law: str) -> None:
     found = fit_periods(periods(), apparatus=Apparatus(amplitude=0.2), timing_error=0.01)
-    folder = write_fit_report(found, tmp_path / "report", language)
+    folder = found.report(tmp_path / "report", language)
     shown = page(folder).words
     assert with_uncertainty(*found["gravity"], language=language) in shown
     assert law in shown
@@ -221,7 +220,7 @@ def test_report_of_periods_has_its_corrections(tmp_path: Path, language: str, la
 def test_report_of_amplitudes_says_that_the_law_is_contradicted(tmp_path: Path) -> None:
     amplitude = np.radians([10.0, 20.0, 30.0, 40.0, 50.0])
     table = PeriodTable(1.5 * (1.0 + 0.03 * amplitude**2), amplitude=amplitude)
-    folder = write_fit_report(fit_periods(table, timing_error=0.001), tmp_path / "report")
+    folder = fit_periods(table, timing_error=0.001).report(tmp_path / "report")
     assert "The table contradicts the law" in page(folder).words
 
 

@@ -38,10 +38,8 @@ def _fit(**given: Any) -> None:
     for line in told(found, given["lang"]):  # type: ignore[arg-type]
         click.echo(line if can_print(line) else line.translate(_PLAIN))
     if report is not None:
-        from pendula.study.measured.report import write_fit_report
-
         named = {"title": given["title"], "author": given["author"], "overwrite": given["force"]}
-        click.echo(write_fit_report(found, report, given["lang"], **named) / "report.html")
+        click.echo(found.report(report, given["lang"], **named) / "report.html")
 
 
 def fit_of(file: str, given: dict[str, Any]) -> Fit | Comparison | PeriodFit:

@@ -7,12 +7,16 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any, NamedTuple
 
+from pendula._late_methods import with_promised
 from pendula.measured.asked import model_name, model_parts
 from pendula.measured.fit import Begun, fitted, planned
 from pendula.measured.model import FRICTIONS
 from pendula.measured.words import Note
 
 if TYPE_CHECKING:
+    from os import PathLike
+    from pathlib import Path
+
     import pandas as pd
 
     from pendula.measured.fitted import Fit
@@ -57,6 +61,7 @@ class Compared(NamedTuple):
     admitted: bool
 
 
+@with_promised
 @dataclass(frozen=True, eq=False)
 class Comparison:
     """Models of one recording, and the one that is preferred.
@@ -104,6 +109,19 @@ class Comparison:
         index = pandas.Index([row.model for row in self.rows], name="model")
         table: pd.DataFrame = pandas.DataFrame(rows, index, names)
         return table
+
+    if TYPE_CHECKING:  # attached by the module that defines it
+
+        def report(
+            self,
+            out: str | PathLike[str],
+            language: str = "en",
+            *,
+            title: str = "",
+            author: str = "",
+            overwrite: bool = False,
+        ) -> Path:
+            """See `pendula.study.measured.report.report`."""
 
 
 def compare_models(

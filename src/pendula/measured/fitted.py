@@ -5,8 +5,12 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, NamedTuple
 
+from pendula._late_methods import with_promised
+
 if TYPE_CHECKING:
     from collections.abc import Mapping
+    from os import PathLike
+    from pathlib import Path
 
     from pendula._types import Array
     from pendula.measured.measurement import Measurement
@@ -75,6 +79,7 @@ class FittedRecording:
         return solve(self.system, self.start, self.t if t is None else t, t0=float(self.t[0]))
 
 
+@with_promised
 @dataclass(frozen=True, eq=False)
 class Fit:
     """A model of a pendulum fitted to one recording or to several.
@@ -182,6 +187,19 @@ class Fit:
     def trajectory(self, t: Array | None = None) -> Trajectory:
         """The fitted motion of the first recording; see `FittedRecording.trajectory`."""
         return self.recordings[0].trajectory(t)
+
+    if TYPE_CHECKING:  # attached by the module that defines it
+
+        def report(
+            self,
+            out: str | PathLike[str],
+            language: str = "en",
+            *,
+            title: str = "",
+            author: str = "",
+            overwrite: bool = False,
+        ) -> Path:
+            """See `pendula.study.measured.report.report`."""
 
 
 class Horizon(NamedTuple):

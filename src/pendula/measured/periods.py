@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, NamedTuple
 
 from pendula._checks import extra, positive_number
+from pendula._late_methods import with_promised
 from pendula.measured.fitted import Quantity
 from pendula.measured.period_checks import checked_corrections, checked_table, refuse_unknowable
 from pendula.measured.period_corrections import Apparatus
@@ -15,6 +16,8 @@ from pendula.measured.period_scatter import Scatter, scatter_of
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
+    from os import PathLike
+    from pathlib import Path
 
     from pendula._types import Array
     from pendula.measured.measurement import PeriodTable
@@ -38,6 +41,7 @@ class AppliedCorrection(NamedTuple):
     change: float
 
 
+@with_promised
 @dataclass(frozen=True, eq=False)
 class PeriodFit:
     """What a table of periods says.
@@ -95,6 +99,19 @@ class PeriodFit:
     def rejects_the_law(self) -> bool:
         """Whether the table contradicts T = 4 K(k)/ω0, at 1 %."""
         return self.chance < _REJECTED
+
+    if TYPE_CHECKING:  # attached by the module that defines it
+
+        def report(
+            self,
+            out: str | PathLike[str],
+            language: str = "en",
+            *,
+            title: str = "",
+            author: str = "",
+            overwrite: bool = False,
+        ) -> Path:
+            """See `pendula.study.measured.report.report`."""
 
 
 def fit_periods(

@@ -113,9 +113,9 @@ def periods_at(omega0_squared: float, amplitude: Array) -> Array:
 
 
 def rates(recorded: Seen) -> tuple[Array, Array]:
-    """Angle [rad] and rate [rad/s] of one pendulum's samples: what was not measured is the fitted motion's.
+    """Angle [rad] and rate [rad/s] of the samples of one pendulum.
 
-    A rate is the difference of angles about a fortieth of a period apart.
+    What was not measured is the fitted motion's. A rate is the difference of angles about a fortieth of a period apart.
     """
     import numpy as np
 

@@ -24,6 +24,7 @@ if TYPE_CHECKING:
     from pendula.study.measured.results import MeasuredResults
     from pendula.study.notation import Numbers
 
+_RARE = 1e-6  # what is less likely than that is told as less likely
 _SHORT = 12  # digits of a checksum that tell files apart
 
 
@@ -123,7 +124,8 @@ def period_verdict(fit: PeriodFit, catalog: Mapping[str, Any], numbers: Numbers)
         found.append(words["birge"].format(ratio=numbers.plain(fit.birge_ratio, 2)))
     if not math.isnan(fit.chance):
         sentence = words["rejected" if fit.rejects_the_law else "kept"]
-        found.append(sentence.format(chance=numbers.plain(fit.chance, 2)))
+        chance = numbers.plain(max(fit.chance, _RARE), 2)
+        found.append(sentence.format(chance=f"< {chance}" if fit.chance < _RARE else chance))
     return found
 
 

@@ -6,8 +6,12 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from pendula._checks import installed
+from pendula._late_methods import method_of
 from pendula._version import __version__
 from pendula._writing import replacing
+from pendula.measured.compare import Comparison
+from pendula.measured.fitted import Fit
+from pendula.measured.periods import PeriodFit
 from pendula.plot.labels import labels
 
 if TYPE_CHECKING:
@@ -16,9 +20,6 @@ if TYPE_CHECKING:
 
     from matplotlib.figure import Figure
 
-    from pendula.measured.compare import Comparison
-    from pendula.measured.fitted import Fit
-    from pendula.measured.periods import PeriodFit
     from pendula.study.data import Columns
 
 _MAIN = "measured-report.typ"
@@ -42,7 +43,10 @@ class Content(NamedTuple):
     tables: Mapping[str, Columns]
 
 
-def write_fit_report(
+@method_of(Comparison)
+@method_of(Fit)
+@method_of(PeriodFit)
+def report(
     fit: Fit | Comparison | PeriodFit,
     out: str | PathLike[str],
     language: str = "en",
@@ -98,8 +102,6 @@ def content_of(
     fit: Fit | Comparison | PeriodFit, language: str, catalog: Mapping[str, Any]
 ) -> Content:
     """What a report says of a fit of either kind."""
-    from pendula.measured.periods import PeriodFit
-
     if isinstance(fit, PeriodFit):
         return _of_periods(fit, language, catalog)
     return _of_motion(fit, language, catalog)
