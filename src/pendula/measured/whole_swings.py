@@ -115,7 +115,8 @@ def periods_at(omega0_squared: float, amplitude: Array) -> Array:
 def rates(recorded: Seen) -> tuple[Array, Array]:
     """Angle [rad] and rate [rad/s] of the samples of one pendulum.
 
-    What was not measured is the fitted motion's. A rate is the difference of angles about a fortieth of a period apart.
+    What was not measured is the fitted motion's. A rate is the difference of angles about a
+    fortieth of a period apart.
     """
     import numpy as np
 
