@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from fractions import Fraction
 
     from pendula._types import Array
-    from pendula.measured.asked import Asked, Log
+    from pendula.measured.asked_of_file import Asked, Log
     from pendula.measured.tables import Column
 
 _TURN = math.tau

@@ -13,7 +13,7 @@ from pendula.measured.headings import sensor_of
 if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
 
-    from pendula.measured.asked import Name
+    from pendula.measured.asked_of_file import Name
     from pendula.measured.tables import Column, Table
 
 _UNIT = re.compile(r"\s*[(\[][^)\]]*[)\]]")

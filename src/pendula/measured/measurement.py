@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 from pendula._checks import positive_number
 from pendula._messages import ArgumentError
 from pendula._tables import html_table
-from pendula.measured.asked import window_of
+from pendula.measured.asked_of_file import window_of
 from pendula.measured.circle import Circle
 from pendula.measured.outliers import outliers_of
 from pendula.measured.positions import angles_about, pivot_circle

@@ -13,7 +13,7 @@ from pendula.measured.unnamed import in_order, is_time, points_among, rates_amon
 
 if TYPE_CHECKING:
     from pendula._types import Array
-    from pendula.measured.asked import Asked, Log
+    from pendula.measured.asked_of_file import Asked, Log
     from pendula.measured.tables import Column, Table
 
 _SINCE_1970 = 1e8  # seconds, three years of them; no recording is as long

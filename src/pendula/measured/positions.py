@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from pendula._types import Array
-    from pendula.measured.asked import Asked, Log
+    from pendula.measured.asked_of_file import Asked, Log
     from pendula.measured.tables import Column
 
 _CLEAR = 0.3  # of the correlation between height and squared speed: which way is down

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from pendula._messages import ArgumentError
 from pendula.measured import times
-from pendula.measured.asked import Asked, Log, checked
+from pendula.measured.asked_of_file import Asked, Log, checked
 from pendula.measured.columns import MOTION, in_context, named_column, runs_of
 from pendula.measured.files import tables_of
 from pendula.measured.measurement import Measurement, PeriodTable
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
     from os import PathLike
 
-    from pendula.measured.asked import Name, Names
+    from pendula.measured.asked_of_file import Name, Names
     from pendula.measured.tables import Table
 
 _THRESHOLD = 6.0  # robust standard deviations, as `Measurement.outliers` has it

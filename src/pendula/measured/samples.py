@@ -16,7 +16,7 @@ from pendula.units import scaled
 
 if TYPE_CHECKING:
     from pendula._types import Array
-    from pendula.measured.asked import Asked, Log
+    from pendula.measured.asked_of_file import Asked, Log
     from pendula.measured.tables import Column, Table
 
 _COARSE = 2.0  # s; no pendulum is sampled so seldom: such steps are of other units

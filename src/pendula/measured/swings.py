@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from pendula._types import Array
-    from pendula.measured.asked import Asked, Log
+    from pendula.measured.asked_of_file import Asked, Log
     from pendula.measured.tables import Column, Table
 
 _G = 9.81  # m/s², for a guess at the number of swings that is only offered

@@ -10,7 +10,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from pendula._types import Array
-    from pendula.measured.asked import Log
+    from pendula.measured.asked_of_file import Log
     from pendula.measured.tables import Table
 
 # Frames per second of films and sensors, to which a rate found from rounded times is set.
