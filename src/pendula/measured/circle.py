@@ -10,6 +10,7 @@ if TYPE_CHECKING:
     from pendula._types import Array
 
 _STEPS = 50
+_STRAIGHT = 1e4  # times the points' mean distance from their middle: no arc, but a line
 
 
 @dataclass(frozen=True)
@@ -104,6 +105,6 @@ def _geometric(u: Array, v: Array, start: Array) -> tuple[Array, float, float] |
         if done:
             break
     covariance = np.linalg.pinv(normal) * cost / max(u.size - 3, 1)
-    if not np.isfinite(at).all() or at[2] <= 0:
+    if not np.isfinite(at).all() or not 0 < at[2] < _STRAIGHT:
         return None
     return at, math.sqrt(cost / u.size), math.sqrt(float(covariance[2, 2]))

@@ -6,7 +6,7 @@ import csv
 import math
 import re
 from collections import Counter
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
@@ -48,7 +48,7 @@ class Dialect:
 
     separator: str
     mark: str
-    quoted: bool = False
+    quoted: bool = field(default=False, compare=False)
 
     def __str__(self) -> str:
         """In words, for notes."""
@@ -96,6 +96,9 @@ class Dialect:
         if found <= texts and texts:
             return None
         return [math.nan if each is None else each for each in numbers]
+
+
+USUAL = Dialect(",", ".")
 
 
 def dialect_of(lines: Sequence[str]) -> Dialect | None:

@@ -98,9 +98,9 @@ class Measurement:
     def outliers(self, threshold: float = 6.0) -> NDArray[Any]:
         """Which samples do not fit between their neighbours; none of them is left out by this.
 
-        A sample is one that is far from the cubic through two neighbours on each side: farther
-        than `threshold` robust standard deviations of all such distances, and than usual steps from
-        sample to sample. `without` leaves them out.
+        A sample is one that is far from the parabolas and the cubic through its neighbours: farther
+        than `threshold` robust standard deviations of such distances around it, than a hundredth of
+        the motion, and than some steps of the last digit. `without` leaves them out.
 
         Args:
             threshold: robust standard deviations.

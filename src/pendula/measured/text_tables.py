@@ -7,8 +7,8 @@ import math
 import re
 from typing import TYPE_CHECKING
 
-from pendula.measured.dialects import Dialect, dialect_of
-from pendula.measured.header_rows import Header, header_of
+from pendula.measured.dialects import USUAL, Dialect, dialect_of
+from pendula.measured.header_rows import header_of
 from pendula.measured.tables import Table, table_of
 
 if TYPE_CHECKING:
@@ -35,28 +35,24 @@ def text_table(text: str, *, name: str = "") -> Table | None:
     dialect = dialect_of([line for line in plain if line.strip()])
     if dialect is None:
         return None
-    rows = [dialect.row(line) for line in lines]
+    rows = [
+        [] if comment else dialect.row(line) for line, (_, comment) in zip(lines, bare, strict=True)
+    ]
     start, end = _block(rows)
     if start == end:
         return None
     numbers, places = _numbers(rows[start:end], start)
     width = numbers.shape[1]
     header = header_of(_rows_before(bare[:start], dialect, width), width)
-    notes = [] if (dialect.separator, dialect.mark) == (",", ".") else [f"{dialect}."]
-    return _table(
-        name, header, numbers, places, [each[:1].upper() + each[1:] for each in notes]
-    )
-
-
-def _table(name: str, header: Header, numbers: Array, lines: Array, notes: list[str]) -> Table:
+    told = str(dialect)
     return table_of(
         name,
         header.labels,
         list(numbers.T),
         groups=header.groups,
         units=header.units,
-        lines=lines,
-        notes=notes,
+        lines=places,
+        notes=[] if dialect == USUAL else [f"{told[0].upper()}{told[1:]}."],
     )
 
 
