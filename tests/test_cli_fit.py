@@ -109,6 +109,25 @@ def test_wrong_column_is_one_line(call: Call) -> None:
     assert "--angle" in error
 
 
+def test_recordings_are_fitted_together(call: Call) -> None:
+    first, second = written("first.csv"), written("second.csv")
+    alone = value(quiet(call, f"fit {first} --model viscous"), "natural frequency ω₀")
+    line = f"fit {first} {second} --model viscous --report out --lang en"
+    printed = quiet(call, line)
+    together = value(printed, "natural frequency ω₀")
+    assert together[0] == pytest.approx(alone[0], abs=1e-4)
+    assert together[1] == pytest.approx(alone[1] / math.sqrt(2.0), rel=0.15)
+    assert "angle at the start[2]" in printed
+    assert "fitted together with second.csv" in page(Path("out")).words
+
+
+def test_a_table_of_periods_is_fitted_alone(call: Call) -> None:
+    Path("periods.csv").write_text("length (m),period (s)\n0.5,1.42\n1.0,2.01\n", encoding="utf-8")
+    code, _, error = call(f"fit {written()} periods.csv")
+    assert code == 2
+    assert error == "pendula: periods.csv is a table of periods; give it alone\n"
+
+
 def test_real_periods_need_the_number_of_swings(call: Call) -> None:
     file = real("periods_stopwatch.csv")
     code, _, error = call(f"fit {file}")

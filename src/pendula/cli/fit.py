@@ -19,6 +19,7 @@ from pendula.cli.pictures import language_option
 from pendula.cli.tables import can_print, paragraph, table
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
     from pathlib import Path
 
     from pendula.measured.compare import Comparison
@@ -33,7 +34,7 @@ def _fit(**given: Any) -> None:
     from pendula.measured.periods import PeriodFit
 
     report = _checked_report(given)
-    found = fit_of(given["file"], given)
+    found = fit_of(given["files"], given)
     told = _periods_told if isinstance(found, PeriodFit) else _motion_told
     for line in told(found, given["lang"]):  # type: ignore[arg-type]
         click.echo(line if can_print(line) else line.translate(_PLAIN))
@@ -42,16 +43,19 @@ def _fit(**given: Any) -> None:
         click.echo(found.report(report, given["lang"], **named) / "report.html")
 
 
-def fit_of(file: str, given: dict[str, Any]) -> Fit | Comparison | PeriodFit:
-    """What the options make of a recording or of a table of periods."""
+def fit_of(files: Sequence[str], given: dict[str, Any]) -> Fit | Comparison | PeriodFit:
+    """What the options make of recordings of one pendulum, or of a table of periods."""
     from pendula.measured import read
     from pendula.measured.measurement import PeriodTable
 
     with renaming(length="length_column", amplitude="amplitude_column"):
-        measured = read(file, **reading_of(given))
-    if isinstance(measured, PeriodTable):
-        return _fit_periods(measured, given)
-    return _fit_motion(measured, given)
+        measured = [read(file, **reading_of(given)) for file in files]
+    tables = [each for each in measured if isinstance(each, PeriodTable)]
+    if not tables:
+        return _fit_motion([each for each in measured if not isinstance(each, PeriodTable)], given)
+    if len(measured) > 1:
+        raise ValueError(f"{tables[0].source} is a table of periods; give it alone")
+    return _fit_periods(tables[0], given)
 
 
 def _checked_report(given: dict[str, Any]) -> Path | None:
@@ -70,11 +74,10 @@ def _checked_report(given: dict[str, Any]) -> Path | None:
     return folder
 
 
-def _fit_motion(measurement: Measurement, given: dict[str, Any]) -> Fit | Comparison:
+def _fit_motion(measured: Sequence[Measurement], given: dict[str, Any]) -> Fit | Comparison:
     from pendula.measured import compare_models, fit
 
-    if measurement.quantity == "position":
-        measurement = measurement.as_angle()
+    angles = [each.as_angle() if each.quantity == "position" else each for each in measured]
     length, error = quantity_of(given, "length"), quantity_of(given, "length_error")
     options: dict[str, Any] = {
         "length": length if length is None or error is None else (length, error),
@@ -82,8 +85,8 @@ def _fit_motion(measurement: Measurement, given: dict[str, Any]) -> Fit | Compar
         **{name: given[name] for name in ("signs", "robust", "uncertainty")},
     }
     if given["model"] is None:
-        return compare_models(measurement, **options)
-    return fit(measurement, given["model"], **options)
+        return compare_models(angles, **options)
+    return fit(angles, given["model"], **options)
 
 
 def _fit_periods(measured: PeriodTable, given: dict[str, Any]) -> PeriodFit:
@@ -113,7 +116,8 @@ def _motion_told(found: Fit | Comparison, language: str) -> list[str]:
         lines = _models_told(found, language, catalog["measured"])
         found = found.best
     rows = value_rows(found, language, catalog)
-    notes = [*found.measurement.notes, *(note.sentence(language) for note in found.notes)]
+    read = dict.fromkeys(note for each in found.recordings for note in each.measurement.notes)
+    notes = [*read, *(note.sentence(language) for note in found.notes)]
     lines += [worded(found.model, language), table(_header(catalog), rows)]
     return [*lines, *map(paragraph, notes)]
 
@@ -151,7 +155,13 @@ def _header(catalog: dict[str, Any]) -> list[str]:
 command = click.Command(
     "fit",
     params=[
-        click.Argument(["file"], type=click.Path(exists=True, dir_okay=False)),
+        click.Argument(
+            ["files"],
+            nargs=-1,
+            required=True,
+            metavar="FILE...",
+            type=click.Path(exists=True, dir_okay=False),
+        ),
         *reading_options(),
         *fitting_options(),
         click.Option(
@@ -163,5 +173,5 @@ command = click.Command(
         click.Option(["--force"], is_flag=True, help="replace the folder if it exists"),
     ],
     callback=_fit,
-    help="Fit a pendulum to a recording or to a table of periods in FILE.",
+    help="Fit a pendulum to its recordings, one a FILE, or to a table of periods.",
 )

@@ -96,7 +96,7 @@ def _fitted(measured: str | None, measuring: dict[str, Any]) -> Fit | Comparison
     if measured is not None:
         from pendula.cli.fit import fit_of
 
-        return fit_of(measured, measuring)
+        return fit_of([measured], measuring)
     context = click.get_current_context()
     for each in _MEASURING:
         source = context.get_parameter_source(str(each.name))

@@ -37,6 +37,7 @@ def measured_facts(
     times = fit.t
     return {
         "source": _source(measurement),
+        "further": [PurePath(each.measurement.source).name for each in fit.recordings[1:]],
         "quantity": catalog["measured"].get(measurement.quantity, measurement.quantity),
         "bodies": measurement.bodies,
         "samples": numbers.fixed(fit.n_samples, 0),
