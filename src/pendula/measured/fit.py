@@ -7,22 +7,26 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any
 
-from pendula._checks import flag, one_of, whole
+from pendula._checks import flag, one_of, positive_number, whole
 from pendula._messages import ArgumentError
 from pendula.measured import asked
+from pendula.measured.double_model import JOINTS, SHAPE, STATE, DoubleModel, shape_of
 from pendula.measured.ladder import Rungs, climbed
 from pendula.measured.model import FRICTIONS, SingleModel
 from pendula.measured.problem import Optimum, Problem
 from pendula.measured.result import result_of
 from pendula.measured.starts import first_window
+from pendula.measured.windows import cut, horizon_of, shot
+from pendula.systems import DampedDoublePendulum, DoublePendulum
 
 if TYPE_CHECKING:
     from pendula.measured.asked import Known
     from pendula.measured.fitted import Fit
     from pendula.measured.measurement import Measurement
     from pendula.measured.problem import Sampled
+    from pendula.systems import System
 
-_OWN = ("theta", "omega", "angle_offset", "rate_offset", "acceleration_offset")
+_OWN = ("theta", "omega", *STATE, "angle_offset", "rate_offset", "acceleration_offset")
 
 
 def fit(
@@ -40,6 +44,9 @@ def fit(
     robust: bool = False,
     uncertainty: str = "corrected",
     seed: int = 0,
+    geometry: System | None = None,
+    windows: float | None = None,
+    tolerance: float = 0.1,
 ) -> Fit:
     """Least squares on the motion itself, by a model of a pendulum.
 
@@ -66,6 +73,13 @@ def fit(
             squares grows when a parameter is held, the others fitted again; "bootstrap": by fits
             to recordings made again of blocks of residuals. Both take longer.
         seed: of the bootstrap.
+        geometry: of a double pendulum, if known: a `DampedDoublePendulum`. Then its shape, and
+            friction that the model does not name, are not fitted; otherwise B, C, D and E over A
+            are, which is all that a motion tells.
+        windows: of a double pendulum: length of the windows, which each have a start of their own
+            [s]; None: one window, or several where the motion cannot be followed in one.
+        tolerance: of a double pendulum: angle by which model and measurement may differ where
+            `horizon` says how long they agree [rad].
 
     Returns:
         The fit; `flags` and `notes` say what has to be known about it.
@@ -87,7 +101,12 @@ def fit(
         robust=robust,
         uncertainty=uncertainty,
         seed=seed,
+        geometry=geometry,
+        windows=windows,
+        tolerance=tolerance,
     )
+    if isinstance(plan.model, DoubleModel):
+        return fitted_double(plan, recordings[0])
     return fitted(plan, recordings, Begun(plan, recordings))
 
 
@@ -95,7 +114,7 @@ def fit(
 class Plan:
     """What `fit` was asked for, checked; its arguments say what each is."""
 
-    model: SingleModel
+    model: SingleModel | DoubleModel
     frictions: tuple[str, ...]
     length: Known | None = None
     gravity: Known | None = None
@@ -108,11 +127,16 @@ class Plan:
     robust: bool = False
     uncertainty: str = "corrected"
     seed: int = 0
+    geometry: System | None = None
+    windows: float | None = None
+    tolerance: float = 0.1
 
     @property
     def name(self) -> str:
         """The name of the model."""
-        return asked.model_name(self.model.linear, self.frictions)
+        linear = isinstance(self.model, SingleModel) and self.model.linear
+        kinds = dict.fromkeys(name.rstrip("12") for name in self.frictions)
+        return asked.model_name(linear, kinds)
 
     def recipe(self) -> dict[str, Any]:
         """The arguments of `fit` that make this plan, as JSON has them."""
@@ -129,12 +153,31 @@ class Plan:
             "robust": self.robust,
             "uncertainty": self.uncertainty,
             "seed": self.seed,
+            **self._double_recipe(),
+        }
+
+    def _double_recipe(self) -> dict[str, Any]:
+        """The arguments that a double pendulum alone has."""
+        if isinstance(self.model, SingleModel):
+            return {}
+        known = self.geometry
+        return {
+            "geometry": None if known is None else {"form": known.form, **known.parameters},
+            "windows": self.windows,
+            "tolerance": self.tolerance,
         }
 
     def problem(self, recordings: tuple[Sampled, ...]) -> Problem:
         """The least squares problem."""
         fixed = dict(self.fixed)
-        names = ("theta", "omega", "omega0_squared", *self.frictions, self.model.offset)
+        if isinstance(self.model, SingleModel):
+            names = ("theta", "omega", "omega0_squared", *self.frictions, self.model.offset)
+        elif self.geometry is None:
+            names = (*STATE, *SHAPE, *self.frictions)
+        else:
+            names = (*STATE, *self.frictions)
+            known = shape_of(self.geometry)
+            fixed = {**{k: v for k, v in known.items() if k not in names}, **fixed}
         free = tuple(dict.fromkeys(n for n in (*names, *self.free) if n not in fixed))
         shared = self.shared
         if shared is None:
@@ -150,8 +193,10 @@ def planned(measurement: Any, model: Any, **given: Any) -> tuple[Plan, tuple[Sam
     """
     measurements = asked.measurements_of(measurement)
     linear, frictions = asked.model_parts(model)
-    made = SingleModel(_quantity(measurements[0]), linear)
+    made = _model(measurements, linear, frictions)
     rows, window, shared = made.rows, given.get("window"), given.get("shared")
+    if isinstance(made, DoubleModel):
+        frictions = tuple(name for name in JOINTS if name[:-1] in frictions)
     plan = Plan(
         model=made,
         frictions=frictions,
@@ -168,6 +213,9 @@ def planned(measurement: Any, model: Any, **given: Any) -> tuple[Plan, tuple[Sam
             "uncertainty", given.get("uncertainty", "corrected"), asked.UNCERTAINTIES
         ),
         seed=whole("seed", given.get("seed", 0)),
+        geometry=_geometry(given.get("geometry"), made),
+        windows=_seconds(given.get("windows")),
+        tolerance=positive_number("tolerance", given.get("tolerance", 0.1), "rad"),
     )
     return plan, tuple(asked.sampled(each, window) for each in measurements)
 
@@ -179,6 +227,7 @@ class Begun:
         self.first: dict[str, float] = {}
         self.length = math.inf
         self.rungs: Rungs = {}
+        assert isinstance(plan.model, SingleModel)
         for i, each in enumerate(recordings):
             own, length = first_window(each, plan.model, plan.fixed)
             self.length = min(self.length, length)
@@ -203,14 +252,59 @@ def fitted(plan: Plan, recordings: tuple[Sampled, ...], begun: Begun) -> Fit:
     return result_of(plan, problem, best, viscous)
 
 
-def _quantity(measurement: Measurement) -> str:
-    if measurement.bodies != 1 or measurement.quantity == "position":
+def fitted_double(plan: Plan, recording: Sampled) -> Fit:
+    """The fit of a double pendulum that was planned."""
+    parts = [recording] if plan.windows is None else cut(recording, plan.windows)
+    problem, best = shot(plan.problem(tuple(parts)), robust=plan.robust)
+    made = result_of(plan, problem, best, best.rms)
+    return replace(made, horizon=horizon_of(made, recording, plan.tolerance))
+
+
+def _model(
+    measurements: Sequence[Measurement], linear: bool, frictions: Sequence[str]
+) -> SingleModel | DoubleModel:
+    """The model of what was measured.
+
+    Raises:
+        ValueError: where there is none.
+    """
+    first = measurements[0]
+    if first.quantity == "position" or (first.bodies == 2 and first.quantity != "angle"):
         raise ArgumentError(
             "measurement",
-            "must hold the angle, rate or acceleration of one pendulum, got {value}",
-            value=f"{measurement.quantity} of {measurement.bodies}",
+            "must hold angles, or the rate or acceleration of one pendulum, got {value}",
+            "read it as an angle",
+            value=first.quantity,
         )
-    return measurement.quantity
+    if first.bodies == 1:
+        return SingleModel(first.quantity, linear)
+    if len(measurements) > 1:
+        rule = "must be one recording of a double pendulum, got {value}"
+        raise ArgumentError("measurement", rule, "fit each alone", value=len(measurements))
+    if linear or not set(frictions) <= {"viscous", "coulomb"}:
+        rule = 'must be "undamped", "viscous" or "viscous + coulomb" of a double pendulum'
+        raise ArgumentError("model", rule)
+    return DoubleModel()
+
+
+def _geometry(given: object, model: SingleModel | DoubleModel) -> System | None:
+    """A known double pendulum.
+
+    Raises:
+        ValueError: for anything else.
+    """
+    if given is None:
+        return None
+    if not isinstance(given, DoublePendulum | DampedDoublePendulum) or not isinstance(
+        model, DoubleModel
+    ):
+        rule = "must be a double pendulum, beside a recording of one, got {value}"
+        raise ArgumentError("geometry", rule, value=given)
+    return given
+
+
+def _seconds(given: object) -> float | None:
+    return None if given is None else positive_number("windows", given, "s")
 
 
 def _length(given: Any, measurement: Measurement) -> Any:

@@ -46,7 +46,9 @@ def result_of(plan: Plan, problem: Problem, best: Optimum, viscous: float) -> Fi
     )
     kinds = [name.partition("[")[0] for name in best.names]
     friction = [
-        (n, float(v)) for n, k, v in zip(best.names, kinds, best.x, strict=True) if k in FRICTIONS
+        (n, float(v))
+        for n, k, v in zip(best.names, kinds, best.x, strict=True)
+        if k.rstrip("12") in FRICTIONS
     ]
     samples = sum(int(each.there.sum()) for each in problem.recordings)
     count = samples * math.log(best.rms**2) / samples * errors.effective
@@ -95,8 +97,8 @@ def _recordings(problem: Problem, best: Optimum, errors: Errors) -> list[FittedR
                 measured=each.values,
                 fitted=made,
                 residuals=each.values - made,
-                rates=states[i][:, 1],
-                start=np.array([values["theta"], values["omega"]]),
+                rates=_rates(states[i]),
+                start=states[i][0].copy(),
                 system=problem.model.system(values),
                 autocorrelation=np.array([errors.noises[j].correlation for j in columns]),
                 autocorrelation_time=float(np.mean([errors.times[j] for j in columns])),
@@ -106,14 +108,21 @@ def _recordings(problem: Problem, best: Optimum, errors: Errors) -> list[FittedR
     return found
 
 
+def _rates(states: Array) -> Array:
+    """Angular rates of states (n, d): (n,) of one pendulum, (n, 2) of a double one."""
+    return states[:, 1] if states.shape[1] == 2 else states[:, 2:]
+
+
 def _quarters(problem: Problem, best: Optimum, i: int, states: Array) -> Array:
     """The parameters fitted to each quarter of recording i alone, (4, k) or (0, k)."""
     import numpy as np
 
     recording, values = problem.recordings[i], problem.values(i, best.x)
+    whole = np.full((4, len(best.x)), np.nan)
+    if "omega0_squared" not in values:
+        return whole[:0]
     span = float(recording.t[-1] - recording.t[0])
     swings = math.sqrt(values["omega0_squared"]) * span / (2.0 * math.pi)
-    whole = np.full((4, len(best.x)), np.nan)
     if swings < 4.0 * _SWINGS or len(recording.t) < 16 * len(best.x):
         return whole[:0]
     edges = np.linspace(0, len(recording.t), 5).astype(int)
@@ -136,7 +145,7 @@ def _alike(
         for j in range(i)
         if abs(correlation[i, j]) > ALIKE
     ]
-    if "gravity" not in derived and "length" not in derived:
+    if "natural_frequency" in derived and not {"gravity", "length"} & set(derived):
         pairs.append(("gravity", "length"))
     return tuple(pairs)
 
