@@ -8,8 +8,9 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from pendula.measured.asked import model_name, model_parts
-from pendula.measured.fit import Begun, fitted, planned
+from pendula.measured.fit import Begun, fitted
 from pendula.measured.model import FRICTIONS
+from pendula.measured.plan import planned
 from pendula.measured.words import Note
 
 if TYPE_CHECKING:

@@ -12,13 +12,14 @@ from pendula.measured.errors import Errors, errors_of
 from pendula.measured.fitted import Fit, FittedRecording
 from pendula.measured.model import FRICTIONS
 from pendula.measured.problem import Optimum, Problem, minimise
+from pendula.measured.resampling import with_other_errors
 from pendula.measured.starts import MOST, ROUGH
 from pendula.measured.words import Note
 
 if TYPE_CHECKING:
     from pendula._types import Array
-    from pendula.measured.fit import Plan
     from pendula.measured.fitted import Quantity
+    from pendula.measured.plan import Plan
 
 ALIKE = 0.98  # correlation beyond which two parameters are not told apart
 _SWINGS = 2.0  # in a quarter of a record that is fitted alone
@@ -36,22 +37,15 @@ def result_of(plan: Plan, problem: Problem, best: Optimum, viscous: float) -> Fi
         best: its optimum.
         viscous: residuals that viscous friction leaves, beside an undamped model [rms].
     """
-    import numpy as np
-
     errors = errors_of(problem, best.x)
-    scale = np.sqrt(np.maximum(np.diagonal(errors.covariance), 1e-300))
-    correlation = errors.covariance / np.outer(scale, scale)
+    errors = with_other_errors(problem, best, errors, plan.uncertainty, plan.seed)
+    correlation = _correlation(errors.covariance)
     derived = derived_of(
         best.names, best.x, errors.covariance, dict(problem.constants), plan.length, plan.gravity
     )
-    kinds = [name.partition("[")[0] for name in best.names]
-    friction = [
-        (n, float(v))
-        for n, k, v in zip(best.names, kinds, best.x, strict=True)
-        if k.rstrip("12") in FRICTIONS
-    ]
     samples = sum(int(each.there.sum()) for each in problem.recordings)
-    count = samples * math.log(best.rms**2) / samples * errors.effective
+    worth = errors.effective * math.log(best.rms**2)
+    bounds, unphysical = _signs(best, free=plan.signs == "free")
     made = Fit(
         model=plan.name,
         parameters=best.names,
@@ -66,18 +60,36 @@ def result_of(plan: Plan, problem: Problem, best: Optimum, viscous: float) -> Fi
         rms=best.rms,
         n_samples=samples,
         n_effective=errors.effective,
-        at_bounds=tuple(n for n, v in friction if v == 0.0 and plan.signs == "physical"),
-        unphysical=tuple(n for n, v in friction if v < 0.0),
+        at_bounds=bounds,
+        unphysical=unphysical,
         not_told_apart=_alike(best.names, correlation, derived),
         derived=derived,
-        aic=count + 2.0 * len(best.x),
-        bic=count + math.log(errors.effective) * len(best.x),
+        aic=worth + 2.0 * len(best.x),
+        bic=worth + math.log(errors.effective) * len(best.x),
         notes=(),
         flags=(),
         recipe=plan.recipe(),
     )
     notes = tuple(_notes(made, errors, viscous))
     return replace(made, notes=notes, flags=tuple(dict.fromkeys(each.key for each in notes)))
+
+
+def _correlation(covariance: Array) -> Array:
+    import numpy as np
+
+    scale = np.sqrt(np.maximum(np.diagonal(covariance), 1e-300))
+    return np.asarray(covariance / np.outer(scale, scale))
+
+
+def _signs(best: Optimum, *, free: bool) -> tuple[tuple[str, ...], tuple[str, ...]]:
+    """Frictions that ended at zero, where they may not be less, and negative ones."""
+    values = [
+        (name, x)
+        for name, x in zip(best.names, best.x.tolist(), strict=True)
+        if name.partition("[")[0].rstrip("12") in FRICTIONS
+    ]
+    bounds = tuple(name for name, x in values if x == 0.0 and not free)
+    return bounds, tuple(name for name, x in values if x < 0.0)
 
 
 def _recordings(problem: Problem, best: Optimum, errors: Errors) -> list[FittedRecording]:
