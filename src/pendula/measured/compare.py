@@ -9,8 +9,9 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from pendula._late_methods import with_promised
 from pendula.measured.asked import model_name, model_parts
-from pendula.measured.fit import Begun, fitted, planned
+from pendula.measured.fit import Begun, fitted
 from pendula.measured.model import FRICTIONS
+from pendula.measured.plan import planned
 from pendula.measured.words import Note
 
 if TYPE_CHECKING:

@@ -8,6 +8,8 @@ from typing import TYPE_CHECKING
 from pendula.measured.fitted import Quantity
 
 if TYPE_CHECKING:
+    from collections.abc import Callable, Mapping
+
     from pendula._types import Array
     from pendula.measured.asked import Known
 
@@ -37,9 +39,9 @@ def derived_of(
         slope = [by.get(name, 0.0) for name in names]
         return math.sqrt(max(float(slope @ covariance @ slope), 0.0))
 
-    square = values.get("omega0_squared")
-    if square is None:
-        return {}
+    if "omega0_squared" not in values:
+        return _of_double(values, error, length)
+    square = values["omega0_squared"]
     root = math.sqrt(square)
     found = {
         "natural_frequency": Quantity(root, error(omega0_squared=0.5 / root), "rad/s"),
@@ -59,4 +61,17 @@ def derived_of(
         found["quality_factor"] = Quantity(
             root / b, error(viscous=-root / b**2, omega0_squared=0.5 / (root * b)), ""
         )
+    return found
+
+
+def _of_double(
+    values: Mapping[str, float], error: Callable[..., float], length: Known | None
+) -> dict[str, Quantity]:
+    """E/C, which is g over the first length, and g where that length is known."""
+    c, e = values["C_over_A"], values["E_over_A"]
+    ratio, own = e / c, error(E_over_A=1.0 / c, C_over_A=-e / c**2)
+    found = {"gravity_over_length1": Quantity(ratio, own, "1/s²")}
+    if length is not None:
+        spread = math.hypot(own * length.value, ratio * length.sigma)
+        found["gravity"] = Quantity(ratio * length.value, spread, "m/s²")
     return found

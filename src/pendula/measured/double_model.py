@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from pendula import _engine
-from pendula.measured.model import TOLERANCE, Row
+from pendula.measured.model import MOST_STEPS, TOLERANCE, Row
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
@@ -172,6 +172,7 @@ def _run(t: Array, values: Mapping[str, float]) -> tuple[_engine.Request, Array,
         float(t[0]),
         t,
         tolerance=TOLERANCE,
+        max_steps=MOST_STEPS,
     )
     return request, start, np.array([[bodies[name] for name in names]])
 

@@ -4,25 +4,22 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field, replace
-from typing import TYPE_CHECKING, Any
+from dataclasses import replace
+from typing import TYPE_CHECKING
 
-from pendula._checks import flag, one_of, whole
-from pendula._messages import ArgumentError
-from pendula.measured import asked
+from pendula.measured.double_model import DoubleModel
 from pendula.measured.ladder import Rungs, climbed
 from pendula.measured.model import FRICTIONS, SingleModel
-from pendula.measured.problem import Optimum, Problem
+from pendula.measured.plan import Plan, planned
 from pendula.measured.result import result_of
 from pendula.measured.starts import first_window
+from pendula.measured.windows import cut, horizon_of, shot
 
 if TYPE_CHECKING:
-    from pendula.measured.asked import Known
     from pendula.measured.fitted import Fit
     from pendula.measured.measurement import Measurement
-    from pendula.measured.problem import Sampled
-
-_OWN = ("theta", "omega", "angle_offset", "rate_offset", "acceleration_offset")
+    from pendula.measured.problem import Optimum, Problem, Sampled
+    from pendula.systems import System
 
 
 def fit(
@@ -40,6 +37,9 @@ def fit(
     robust: bool = False,
     uncertainty: str = "corrected",
     seed: int = 0,
+    geometry: System | None = None,
+    windows: float | None = None,
+    tolerance: float = 0.1,
 ) -> Fit:
     """Least squares on the motion itself, by a model of a pendulum.
 
@@ -66,6 +66,13 @@ def fit(
             squares grows when a parameter is held, the others fitted again; "bootstrap": by fits
             to recordings made again of blocks of residuals. Both take longer.
         seed: of the bootstrap.
+        geometry: of a double pendulum, if known: a `DampedDoublePendulum`. Then its shape, and
+            friction that the model does not name, are not fitted; otherwise B, C, D and E over A
+            are, which is all that a motion tells.
+        windows: of a double pendulum: length of the windows, which each have a start of their own
+            [s]; None: one window, or several where the motion cannot be followed in one.
+        tolerance: of a double pendulum: angle by which model and measurement may differ where
+            `horizon` says how long they agree [rad].
 
     Returns:
         The fit; `flags` and `notes` say what has to be known about it.
@@ -73,6 +80,7 @@ def fit(
     Raises:
         ValueError: for an argument out of range, or a recording that cannot be fitted.
     """
+    double = {"geometry": geometry, "windows": windows, "tolerance": tolerance}
     plan, recordings = planned(
         measurement,
         model,
@@ -87,89 +95,11 @@ def fit(
         robust=robust,
         uncertainty=uncertainty,
         seed=seed,
+        **double,
     )
+    if isinstance(plan.model, DoubleModel):
+        return fitted_double(plan, recordings[0])
     return fitted(plan, recordings, Begun(plan, recordings))
-
-
-@dataclass(frozen=True, kw_only=True)
-class Plan:
-    """What `fit` was asked for, checked; its arguments say what each is."""
-
-    model: SingleModel
-    frictions: tuple[str, ...]
-    length: Known | None = None
-    gravity: Known | None = None
-    fixed: Mapping[str, float] = field(default_factory=dict)
-    free: tuple[str, ...] = ()
-    shared: tuple[str, ...] | None = None
-    signs: str = "physical"
-    start: Mapping[str, float] = field(default_factory=dict)
-    window: tuple[float, float] | None = None
-    robust: bool = False
-    uncertainty: str = "corrected"
-    seed: int = 0
-
-    @property
-    def name(self) -> str:
-        """The name of the model."""
-        return asked.model_name(self.model.linear, self.frictions)
-
-    def recipe(self) -> dict[str, Any]:
-        """The arguments of `fit` that make this plan, as JSON has them."""
-        given = {"length": self.length, "gravity": self.gravity}
-        return {
-            "model": self.name,
-            **{name: [k.value, k.sigma] if k else None for name, k in given.items()},
-            "fixed": dict(self.fixed),
-            "free": list(self.free),
-            "shared": None if self.shared is None else list(self.shared),
-            "signs": self.signs,
-            "start": dict(self.start),
-            "window": None if self.window is None else list(map(float, self.window)),
-            "robust": self.robust,
-            "uncertainty": self.uncertainty,
-            "seed": self.seed,
-        }
-
-    def problem(self, recordings: tuple[Sampled, ...]) -> Problem:
-        """The least squares problem."""
-        fixed = dict(self.fixed)
-        names = ("theta", "omega", "omega0_squared", *self.frictions, self.model.offset)
-        free = tuple(dict.fromkeys(n for n in (*names, *self.free) if n not in fixed))
-        shared = self.shared
-        if shared is None:
-            shared = tuple(name for name in free if name not in _OWN)
-        return Problem(self.model, recordings, free, shared, fixed, self.signs == "free")
-
-
-def planned(measurement: Any, model: Any, **given: Any) -> tuple[Plan, tuple[Sampled, ...]]:
-    """The checked arguments of `fit`, and the samples that are fitted.
-
-    Raises:
-        ValueError: for an argument out of range, or a recording that cannot be fitted.
-    """
-    measurements = asked.measurements_of(measurement)
-    linear, frictions = asked.model_parts(model)
-    made = SingleModel(_quantity(measurements[0]), linear)
-    rows, window, shared = made.rows, given.get("window"), given.get("shared")
-    plan = Plan(
-        model=made,
-        frictions=frictions,
-        length=asked.known("length", _length(given.get("length"), measurements[0]), "m"),
-        gravity=asked.known("gravity", given.get("gravity"), "m/s^2"),
-        fixed=asked.named_values("fixed", given.get("fixed"), rows),
-        free=asked.names_of("free", given.get("free", ()), rows),
-        shared=None if shared is None else asked.names_of("shared", shared, rows),
-        signs=one_of("signs", given.get("signs", "physical"), asked.SIGNS),
-        start=asked.named_values("start", given.get("start"), rows),
-        window=window,
-        robust=flag("robust", given.get("robust", False)),
-        uncertainty=one_of(
-            "uncertainty", given.get("uncertainty", "corrected"), asked.UNCERTAINTIES
-        ),
-        seed=whole("seed", given.get("seed", 0)),
-    )
-    return plan, tuple(asked.sampled(each, window) for each in measurements)
 
 
 class Begun:
@@ -179,6 +109,7 @@ class Begun:
         self.first: dict[str, float] = {}
         self.length = math.inf
         self.rungs: Rungs = {}
+        assert isinstance(plan.model, SingleModel)
         for i, each in enumerate(recordings):
             own, length = first_window(each, plan.model, plan.fixed)
             self.length = min(self.length, length)
@@ -203,16 +134,9 @@ def fitted(plan: Plan, recordings: tuple[Sampled, ...], begun: Begun) -> Fit:
     return result_of(plan, problem, best, viscous)
 
 
-def _quantity(measurement: Measurement) -> str:
-    if measurement.bodies != 1 or measurement.quantity == "position":
-        raise ArgumentError(
-            "measurement",
-            "must hold the angle, rate or acceleration of one pendulum, got {value}",
-            value=f"{measurement.quantity} of {measurement.bodies}",
-        )
-    return measurement.quantity
-
-
-def _length(given: Any, measurement: Measurement) -> Any:
-    """A length as given, or as the recording has it."""
-    return measurement.geometry.get("length") if given is None else given
+def fitted_double(plan: Plan, recording: Sampled) -> Fit:
+    """The fit of a double pendulum that was planned."""
+    parts = [recording] if plan.windows is None else cut(recording, plan.windows)
+    problem, best = shot(plan.problem(tuple(parts)), robust=plan.robust)
+    made = result_of(plan, problem, best, best.rms)
+    return replace(made, horizon=horizon_of(made, recording, plan.tolerance))

@@ -17,6 +17,7 @@ if TYPE_CHECKING:
 FRICTIONS = ("viscous", "coulomb", "quadratic", "cubic")
 DRIVE = ("torque", "drive_frequency", "drive_phase")
 TOLERANCE = 1e-10  # of the runs: far below what any encoder resolves
+MOST_STEPS = 20_000  # of a run: beyond, the parameters are none that a pendulum has
 _SMALLEST = 1e-9  # of ω0² [1/s²]
 
 
@@ -197,6 +198,7 @@ class _Motion:
             float(t[0]),
             t,
             tolerance=TOLERANCE,
+            max_steps=MOST_STEPS,
         )
         columns = {"theta": 0, "omega": 1}
         columns |= {ours[row.name]: 2 + i for i, row in enumerate(rows) if row.name in ours}

@@ -175,7 +175,9 @@ class Problem:
             slopes = self.model.slopes(each.t, states, self.values(i, x), self.free)
             block[:, self.places(i)] = slopes.transpose(1, 0, 2)[each.there.T]
             blocks.append(block)
-        return np.concatenate(blocks)
+        found = np.concatenate(blocks)
+        found[~np.isfinite(found).all(axis=1)] = 0.0
+        return found
 
     def of(self, recordings: Sequence[Sampled]) -> Problem:
         """The same of other samples."""

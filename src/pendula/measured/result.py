@@ -12,13 +12,14 @@ from pendula.measured.errors import Errors, errors_of
 from pendula.measured.fitted import Fit, FittedRecording
 from pendula.measured.model import FRICTIONS
 from pendula.measured.problem import Optimum, Problem, minimise
+from pendula.measured.resampling import with_other_errors
 from pendula.measured.starts import MOST, ROUGH
 from pendula.measured.words import Note
 
 if TYPE_CHECKING:
     from pendula._types import Array
-    from pendula.measured.fit import Plan
     from pendula.measured.fitted import Quantity
+    from pendula.measured.plan import Plan
 
 ALIKE = 0.98  # correlation beyond which two parameters are not told apart
 _SWINGS = 2.0  # in a quarter of a record that is fitted alone
@@ -36,20 +37,15 @@ def result_of(plan: Plan, problem: Problem, best: Optimum, viscous: float) -> Fi
         best: its optimum.
         viscous: residuals that viscous friction leaves, beside an undamped model [rms].
     """
-    import numpy as np
-
     errors = errors_of(problem, best.x)
-    scale = np.sqrt(np.maximum(np.diagonal(errors.covariance), 1e-300))
-    correlation = errors.covariance / np.outer(scale, scale)
+    errors = with_other_errors(problem, best, errors, plan.uncertainty, plan.seed)
+    correlation = _correlation(errors.covariance)
     derived = derived_of(
         best.names, best.x, errors.covariance, dict(problem.constants), plan.length, plan.gravity
     )
-    kinds = [name.partition("[")[0] for name in best.names]
-    friction = [
-        (n, float(v)) for n, k, v in zip(best.names, kinds, best.x, strict=True) if k in FRICTIONS
-    ]
     samples = sum(int(each.there.sum()) for each in problem.recordings)
-    count = samples * math.log(best.rms**2) / samples * errors.effective
+    worth = errors.effective * math.log(best.rms**2)
+    bounds, unphysical = _signs(best, free=plan.signs == "free")
     made = Fit(
         model=plan.name,
         parameters=best.names,
@@ -64,18 +60,36 @@ def result_of(plan: Plan, problem: Problem, best: Optimum, viscous: float) -> Fi
         rms=best.rms,
         n_samples=samples,
         n_effective=errors.effective,
-        at_bounds=tuple(n for n, v in friction if v == 0.0 and plan.signs == "physical"),
-        unphysical=tuple(n for n, v in friction if v < 0.0),
+        at_bounds=bounds,
+        unphysical=unphysical,
         not_told_apart=_alike(best.names, correlation, derived),
         derived=derived,
-        aic=count + 2.0 * len(best.x),
-        bic=count + math.log(errors.effective) * len(best.x),
+        aic=worth + 2.0 * len(best.x),
+        bic=worth + math.log(errors.effective) * len(best.x),
         notes=(),
         flags=(),
         recipe=plan.recipe(),
     )
     notes = tuple(_notes(made, errors, viscous))
     return replace(made, notes=notes, flags=tuple(dict.fromkeys(each.key for each in notes)))
+
+
+def _correlation(covariance: Array) -> Array:
+    import numpy as np
+
+    scale = np.sqrt(np.maximum(np.diagonal(covariance), 1e-300))
+    return np.asarray(covariance / np.outer(scale, scale))
+
+
+def _signs(best: Optimum, *, free: bool) -> tuple[tuple[str, ...], tuple[str, ...]]:
+    """Frictions that ended at zero, where they may not be less, and negative ones."""
+    values = [
+        (name, x)
+        for name, x in zip(best.names, best.x.tolist(), strict=True)
+        if name.partition("[")[0].rstrip("12") in FRICTIONS
+    ]
+    bounds = tuple(name for name, x in values if x == 0.0 and not free)
+    return bounds, tuple(name for name, x in values if x < 0.0)
 
 
 def _recordings(problem: Problem, best: Optimum, errors: Errors) -> list[FittedRecording]:
@@ -95,8 +109,8 @@ def _recordings(problem: Problem, best: Optimum, errors: Errors) -> list[FittedR
                 measured=each.values,
                 fitted=made,
                 residuals=each.values - made,
-                rates=states[i][:, 1],
-                start=np.array([values["theta"], values["omega"]]),
+                rates=_rates(states[i]),
+                start=states[i][0].copy(),
                 system=problem.model.system(values),
                 autocorrelation=np.array([errors.noises[j].correlation for j in columns]),
                 autocorrelation_time=float(np.mean([errors.times[j] for j in columns])),
@@ -106,14 +120,21 @@ def _recordings(problem: Problem, best: Optimum, errors: Errors) -> list[FittedR
     return found
 
 
+def _rates(states: Array) -> Array:
+    """Angular rates of states (n, d): (n,) of one pendulum, (n, 2) of a double one."""
+    return states[:, 1] if states.shape[1] == 2 else states[:, 2:]
+
+
 def _quarters(problem: Problem, best: Optimum, i: int, states: Array) -> Array:
     """The parameters fitted to each quarter of recording i alone, (4, k) or (0, k)."""
     import numpy as np
 
     recording, values = problem.recordings[i], problem.values(i, best.x)
+    whole = np.full((4, len(best.x)), np.nan)
+    if "omega0_squared" not in values:
+        return whole[:0]
     span = float(recording.t[-1] - recording.t[0])
     swings = math.sqrt(values["omega0_squared"]) * span / (2.0 * math.pi)
-    whole = np.full((4, len(best.x)), np.nan)
     if swings < 4.0 * _SWINGS or len(recording.t) < 16 * len(best.x):
         return whole[:0]
     edges = np.linspace(0, len(recording.t), 5).astype(int)
@@ -136,7 +157,7 @@ def _alike(
         for j in range(i)
         if abs(correlation[i, j]) > ALIKE
     ]
-    if "gravity" not in derived and "length" not in derived:
+    if "natural_frequency" in derived and not {"gravity", "length"} & set(derived):
         pairs.append(("gravity", "length"))
     return tuple(pairs)
 

@@ -46,13 +46,13 @@ def first_window(
     best: Optimum | None = None
     for factor in _FACTORS:
         guess = _harmonic(first.recordings[0], model, frequency * factor, constants)
-        found = minimise(first, np.array([guess[name] for name in free]), precision=ROUGH)
+        found = minimise(first, np.array([guess[name] for name in first.names]), precision=ROUGH)
         if best is None or found.rms < best.rms:
             best = found
         if best.rms < _POOR * spread:
             break
     assert best is not None
-    return dict(zip(free, best.x.tolist(), strict=True)), length
+    return dict(zip(best.names, best.x.tolist(), strict=True)), length
 
 
 def main_frequency(sampled: Sampled) -> float:

@@ -1,0 +1,185 @@
+"""What a fit is asked for, checked, and the problem that follows."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any
+
+from pendula._checks import flag, one_of, positive_number, whole
+from pendula._messages import ArgumentError
+from pendula.measured import asked
+from pendula.measured.double_model import JOINTS, SHAPE, STATE, DoubleModel, shape_of
+from pendula.measured.model import SingleModel
+from pendula.measured.problem import Problem
+from pendula.systems import DampedDoublePendulum, DoublePendulum
+
+if TYPE_CHECKING:
+    from pendula.measured.asked import Known
+    from pendula.measured.measurement import Measurement
+    from pendula.measured.problem import Sampled
+    from pendula.systems import System
+
+_OWN = ("theta", "omega", *STATE, "angle_offset", "rate_offset", "acceleration_offset")
+
+
+@dataclass(frozen=True, kw_only=True)
+class Plan:
+    """What `fit` was asked for, checked; its arguments say what each is."""
+
+    model: SingleModel | DoubleModel
+    frictions: tuple[str, ...]
+    length: Known | None = None
+    gravity: Known | None = None
+    fixed: Mapping[str, float] = field(default_factory=dict)
+    free: tuple[str, ...] = ()
+    shared: tuple[str, ...] | None = None
+    signs: str = "physical"
+    start: Mapping[str, float] = field(default_factory=dict)
+    window: tuple[float, float] | None = None
+    robust: bool = False
+    uncertainty: str = "corrected"
+    seed: int = 0
+    geometry: System | None = None
+    windows: float | None = None
+    tolerance: float = 0.1
+
+    @property
+    def name(self) -> str:
+        """The name of the model."""
+        linear = isinstance(self.model, SingleModel) and self.model.linear
+        kinds = dict.fromkeys(name.rstrip("12") for name in self.frictions)
+        return asked.model_name(linear, kinds)
+
+    def recipe(self) -> dict[str, Any]:
+        """The arguments of `fit` that make this plan, as JSON has them."""
+        given = {"length": self.length, "gravity": self.gravity}
+        return {
+            "model": self.name,
+            **{name: [k.value, k.sigma] if k else None for name, k in given.items()},
+            "fixed": dict(self.fixed),
+            "free": list(self.free),
+            "shared": None if self.shared is None else list(self.shared),
+            "signs": self.signs,
+            "start": dict(self.start),
+            "window": None if self.window is None else list(map(float, self.window)),
+            "robust": self.robust,
+            "uncertainty": self.uncertainty,
+            "seed": self.seed,
+            **self._double_recipe(),
+        }
+
+    def _double_recipe(self) -> dict[str, Any]:
+        """The arguments that a double pendulum alone has."""
+        if isinstance(self.model, SingleModel):
+            return {}
+        known = self.geometry
+        return {
+            "geometry": None if known is None else {"form": known.form, **known.parameters},
+            "windows": self.windows,
+            "tolerance": self.tolerance,
+        }
+
+    def problem(self, recordings: tuple[Sampled, ...]) -> Problem:
+        """The least squares problem."""
+        fixed = dict(self.fixed)
+        if isinstance(self.model, SingleModel):
+            names = ("theta", "omega", "omega0_squared", *self.frictions, self.model.offset)
+        elif self.geometry is None:
+            names = (*STATE, *SHAPE, *self.frictions)
+        else:
+            names = (*STATE, *self.frictions)
+            known = shape_of(self.geometry)
+            fixed = {**{k: v for k, v in known.items() if k not in names}, **fixed}
+        free = tuple(dict.fromkeys(n for n in (*names, *self.free) if n not in fixed))
+        shared = self.shared
+        if shared is None:
+            shared = tuple(name for name in free if name not in _OWN)
+        return Problem(self.model, recordings, free, shared, fixed, self.signs == "free")
+
+
+def planned(measurement: Any, model: Any, **given: Any) -> tuple[Plan, tuple[Sampled, ...]]:
+    """The checked arguments of `fit`, and the samples that are fitted.
+
+    Raises:
+        ValueError: for an argument out of range, or a recording that cannot be fitted.
+    """
+    measurements = asked.measurements_of(measurement)
+    linear, frictions = asked.model_parts(model)
+    made = _model(measurements, linear, frictions)
+    rows, window, shared = made.rows, given.get("window"), given.get("shared")
+    if isinstance(made, DoubleModel):
+        frictions = tuple(name for name in JOINTS if name[:-1] in frictions)
+    plan = Plan(
+        model=made,
+        frictions=frictions,
+        length=asked.known("length", _length(given.get("length"), measurements[0]), "m"),
+        gravity=asked.known("gravity", given.get("gravity"), "m/s^2"),
+        fixed=asked.named_values("fixed", given.get("fixed"), rows),
+        free=asked.names_of("free", given.get("free", ()), rows),
+        shared=None if shared is None else asked.names_of("shared", shared, rows),
+        signs=one_of("signs", given.get("signs", "physical"), asked.SIGNS),
+        start=asked.named_values("start", given.get("start"), rows),
+        window=window,
+        robust=flag("robust", given.get("robust", False)),
+        uncertainty=one_of(
+            "uncertainty", given.get("uncertainty", "corrected"), asked.UNCERTAINTIES
+        ),
+        seed=whole("seed", given.get("seed", 0)),
+        geometry=_geometry(given.get("geometry"), made),
+        windows=_seconds(given.get("windows")),
+        tolerance=positive_number("tolerance", given.get("tolerance", 0.1), "rad"),
+    )
+    return plan, tuple(asked.sampled(each, window) for each in measurements)
+
+
+def _model(
+    measurements: Sequence[Measurement], linear: bool, frictions: Sequence[str]
+) -> SingleModel | DoubleModel:
+    """The model of what was measured.
+
+    Raises:
+        ValueError: where there is none.
+    """
+    first = measurements[0]
+    if first.quantity == "position" or (first.bodies == 2 and first.quantity != "angle"):
+        raise ArgumentError(
+            "measurement",
+            "must hold angles, or the rate or acceleration of one pendulum, got {value}",
+            "read it as an angle",
+            value=first.quantity,
+        )
+    if first.bodies == 1:
+        return SingleModel(first.quantity, linear)
+    if len(measurements) > 1:
+        rule = "must be one recording of a double pendulum, got {value}"
+        raise ArgumentError("measurement", rule, "fit each alone", value=len(measurements))
+    if linear or not set(frictions) <= {"viscous", "coulomb"}:
+        rule = 'must be "undamped", "viscous" or "viscous + coulomb" of a double pendulum'
+        raise ArgumentError("model", rule)
+    return DoubleModel()
+
+
+def _geometry(given: object, model: SingleModel | DoubleModel) -> System | None:
+    """A known double pendulum.
+
+    Raises:
+        ValueError: for anything else.
+    """
+    if given is None:
+        return None
+    if not isinstance(given, DoublePendulum | DampedDoublePendulum) or not isinstance(
+        model, DoubleModel
+    ):
+        rule = "must be a double pendulum, beside a recording of one, got {value}"
+        raise ArgumentError("geometry", rule, value=given)
+    return given
+
+
+def _seconds(given: object) -> float | None:
+    return None if given is None else positive_number("windows", given, "s")
+
+
+def _length(given: Any, measurement: Measurement) -> Any:
+    """A length as given, or as the recording has it."""
+    return measurement.geometry.get("length") if given is None else given
