@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from scipy.special import ellipj, ellipk
 
-from pendula import DampedDoublePendulum, solve
+from pendula import DampedDoublePendulum, DrivenPendulum, solve
 from pendula.measured import (
     Apparatus,
     Fit,
@@ -71,6 +71,20 @@ def test_errors_are_those_of_the_curves(fitted: Fit) -> None:
     undamped = 2.0 * np.arcsin(k * sn)
     expected = np.abs(undamped - motion(compared.t)[0]).max()
     assert compared.errors("undamped").largest == pytest.approx(expected, rel=0.02)
+
+
+def test_a_failed_fit_with_a_far_too_fast_pendulum_is_not_compared(fitted: Fit) -> None:
+    fast = DrivenPendulum.body(1.0, 1.0, 1.0, 1e12)
+    t = fitted.t[:40]
+    one = replace(
+        fitted.recordings[0],
+        system=fast,
+        t=t,
+        start=np.array([1e-3, 0.0]),
+        measured=fitted.recordings[0].measured[:40],
+        fitted=fitted.recordings[0].fitted[:40],
+    )
+    assert measured_results(replace(fitted, recordings=(one,))).compared is None
 
 
 def test_a_rate_is_compared_as_a_rate() -> None:

@@ -21,6 +21,7 @@ if TYPE_CHECKING:
 
 _SWINGS = 10  # how long the experiment is followed, in periods of small swings
 _STEPS_A_PERIOD = 100  # about; the step is a round number
+_FEWEST = 20  # samples, in the first swings
 _ROUND = (1.0, 2.0, 5.0)
 
 
@@ -83,14 +84,17 @@ class MethodComparison:
         return Errors(float(np.nanmax(away)), math.sqrt(float(np.nanmean(away**2))), own)
 
 
-def compare_methods(fit: Fit, recorded: Seen) -> MethodComparison:
+def compare_methods(fit: Fit, recorded: Seen) -> MethodComparison | None:
     """The first swings of a recording by formula and by each method of the paper.
 
-    All start from the fitted state, with the fitted values.
+    All start from the fitted state, with the fitted values. None: the fitted pendulum is so fast
+    that the record has next to no samples of its first swings, as one of a failed fit may be.
     """
     recording = fit.recordings[0]
     period = math.tau / recorded.model.system.slowest_frequency
     early = recorded.t <= recorded.t[0] + _SWINGS * period
+    if np.count_nonzero(early) < _FEWEST:
+        return None
     t, start = recorded.t[early], recording.start
     step, t0 = _round_step(period / _STEPS_A_PERIOD), float(t[0])
     runs = {} if recorded.values.ndim > 1 else _closed_forms(fit, recorded, t)

@@ -37,7 +37,7 @@ def measured_facts(
     times = fit.t
     return {
         "source": _source(measurement),
-        "further": [PurePath(each.measurement.source).name for each in fit.recordings[1:]],
+        "further": _further(fit),
         "quantity": catalog["measured"].get(measurement.quantity, measurement.quantity),
         "bodies": measurement.bodies,
         "samples": numbers.fixed(fit.n_samples, 0),
@@ -142,6 +142,12 @@ def _source(measured: Measurement | PeriodTable) -> dict[str, Any]:
         "checksum": measured.checksum[:_SHORT],
         "notes": list(measured.notes),
     }
+
+
+def _further(fit: Fit) -> list[str]:
+    """Names of the other files that were fitted together with the first."""
+    names = dict.fromkeys(PurePath(each.measurement.source).name for each in fit.recordings)
+    return list(names)[1:]
 
 
 def _spacing(times: Array, numbers: Numbers) -> str:
