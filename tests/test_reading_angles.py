@@ -165,6 +165,16 @@ def test_gaps_and_repeated_values_are_kept_and_told(tmp_path: Path) -> None:
     assert any("repeat the value before: left as they are" in note for note in found.notes)
 
 
+@pytest.mark.parametrize("of_a_second", [1, 1e3, 1e6])
+def test_times_counted_from_1970_are_from_the_first_sample(
+    of_a_second: float, tmp_path: Path
+) -> None:
+    lines = rows((1.76e9 + T) * of_a_second, SWING)
+    found = measured(tmp_path / "a.csv", text("timestamp, angle", lines))
+    np.testing.assert_allclose(found.t, T, rtol=0, atol=1e-6)
+    assert "Times from 'timestamp', counted from 1970: from the first sample on." in found.notes
+
+
 def test_a_given_frame_rate_goes_before_the_times(tmp_path: Path) -> None:
     found = measured(tmp_path / "a.csv", text("t,theta", rows(T, SWING)), frame_rate=240)
     np.testing.assert_allclose(found.t, np.arange(T.size) / 240, rtol=1e-12)

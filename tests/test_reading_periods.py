@@ -99,6 +99,24 @@ def test_lengths_without_a_unit_that_are_no_metres(tmp_path: Path) -> None:
     np.testing.assert_allclose(found.length, L, rtol=1e-6)
 
 
+def test_columns_of_times_that_differ_are_asked_for(tmp_path: Path) -> None:
+    """A row for each swing: how long it took, and since when."""
+    count = np.tile([1.0, 2.0, 3.0, 4.0, 5.0], 5)
+    length, period = np.repeat(L, 5), np.repeat(PERIOD, 5)
+    header = "longitud_m,repeticion,vuelta,t_vuelta_s,t_acumulado_s,amplitud_grados"
+    content = text(
+        header, rows(length, 0 * count + 1, count, period, count * period, 0 * count + 9)
+    )
+    with pytest.raises(
+        ValueError, match="^period could be one of several columns that differ: 't_v"
+    ):
+        table(tmp_path / "a.csv", content)
+    found = table(tmp_path / "a.csv", content, period="t_vuelta_s")
+    assert found.amplitude is not None
+    np.testing.assert_allclose(found.period, period, rtol=0, atol=1e-6)
+    np.testing.assert_allclose(found.amplitude, np.radians(9.0), rtol=1e-12)
+
+
 def test_columns_without_names_are_asked_for_and_named(tmp_path: Path) -> None:
     content = text(rows(L, PERIOD, separator=" "))
     with pytest.raises(ValueError, match=r"column 2 rises all the way; .* length=1 and period=2$"):

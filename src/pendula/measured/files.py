@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import zipfile
 from dataclasses import replace
 from io import BytesIO
@@ -69,7 +70,9 @@ def _of_zip(data: bytes) -> list[Table]:
             if "[Content_Types].xml" in names or "mimetype" in names:
                 return _of_sheets(data)
             return list(_of_archive(archive))
-    except zipfile.BadZipFile as error:
+    except (ArgumentError, ImportError):
+        raise
+    except Exception as error:  # whatever the reader stumbles over in a damaged file
         rule = "is no whole archive: {text}"
         raise ArgumentError("path", rule, text=one_line(error)) from None
 
@@ -97,6 +100,14 @@ def _of_sheets(data: bytes) -> list[Table]:
         raise ArgumentError("path", rule, text=one_line(error)) from None
 
 
+def _float(cell: str) -> float:
+    """A number of a buffer, NaN for what is none."""
+    try:
+        return float(cell)
+    except ValueError:
+        return math.nan
+
+
 def _of_phyphox(data: bytes) -> Table:
     """The table that a saved state of phyphox holds: buffers, and the sets that name them."""
     import numpy as np
@@ -107,7 +118,7 @@ def _of_phyphox(data: bytes) -> Table:
         raise ArgumentError("path", "is no whole XML file: {text}", text=str(error)) from None
     buffers = {
         (each.text or "").strip(): np.array(
-            [float(cell) for cell in each.get("init", "").split(",") if cell.strip()]
+            [_float(cell) for cell in each.get("init", "").split(",")]
         )
         for each in root.iter("container")
     }

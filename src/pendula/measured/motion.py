@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from pendula.measured.asked_of_file import Asked, Log
     from pendula.measured.tables import Column, Table
 
-_SINCE_1970 = 1e8  # seconds, three years of them; no recording is as long
+SINCE_1970 = 1e8  # seconds, three years of them; no recording is as long
 _HOW = "name it with <angle=2>, <rate=2>, <x=2> and <y=3>, or <radial=2>, by label or number"
 
 
@@ -66,7 +66,7 @@ def _is_clock(column: Column) -> bool:
     """Whether times are counted from 1970, in whatever unit: others beside them are meant."""
     import numpy as np
 
-    return bool(np.nanmin(column.values) > _SINCE_1970)
+    return bool(np.nanmin(column.values) > SINCE_1970)
 
 
 def pick(table: Table, time: Column | None, t: Array, asked: Asked, log: Log) -> Picked:
@@ -198,10 +198,10 @@ def _are_alike(columns: Sequence[Column]) -> bool:
     for each in columns[1:]:
         there = np.isfinite(first) & np.isfinite(each.values)
         a, b = first[there], each.values[there]
-        if a.size < 2 or not a.any():
+        if a.size < 2 or not a.any() or not b.any():
             return False
-        ratio = float(np.dot(a, b) / np.dot(a, a))
-        if np.abs(b - ratio * a).max() > 1e-3 * np.abs(b).max():
+        at = int(np.argmax(np.abs(a)))
+        if np.abs(b / b[at] - a / a[at]).max() > 1e-3 if b[at] else True:
             return False
     return True
 

@@ -10,7 +10,7 @@ from pendula.measured.angles import angles_of
 from pendula.measured.columns import name_in
 from pendula.measured.header_units import header_unit
 from pendula.measured.measurement import Measurement
-from pendula.measured.motion import Picked, pick, time_column
+from pendula.measured.motion import SINCE_1970, Picked, pick, time_column
 from pendula.measured.positions import positions_of
 from pendula.units import scaled
 
@@ -112,6 +112,9 @@ def seconds_of(table: Table, time: Column | None, asked: Asked, log: Log) -> Arr
         log.took["time_unit"] = written
         log.note(f"Times from {time} [{written}].")
         return scaled(time.values, known[1])
+    if np.nanmin(time.values) > SINCE_1970:
+        log.note(f"Times from {time}, counted from 1970: from the first sample on.")
+        return _from_first(time.values)
     steps = np.diff(time.values)
     usual = float(np.median(steps)) if steps.size else 0.0
     if usual > _COARSE and asked.frame_rate is None:
@@ -119,6 +122,15 @@ def seconds_of(table: Table, time: Column | None, asked: Asked, log: Log) -> Arr
         raise ArgumentError("time_unit", rule, "say it with <time_unit=ms>, or <time_unit=s>")
     log.note(f"Times from {time}: no unit is told, seconds.")
     return time.values.copy()
+
+
+def _from_first(stamps: Array) -> Array:
+    """Seconds from the first of times that are counted from 1970 in s, ms, µs or ns."""
+    import numpy as np
+
+    size = float(np.log10(stamps[0]))
+    thousands = max(0, round((size - 9.2) / 3))  # of today's 1.8e9 s
+    return np.asarray((stamps - stamps[0]) / 1000.0**thousands)
 
 
 def _counts(time: Column) -> bool:

@@ -23,7 +23,7 @@ def parquet_table(data: bytes) -> Table:
     extra("pyarrow", "fit")
     try:
         frame = pandas.read_parquet(BytesIO(data))
-    except (OSError, ValueError) as error:
+    except Exception as error:  # whatever the reader stumbles over in a damaged file
         raise _damaged("Parquet", error) from None
     if frame.index.name is not None:
         frame = frame.reset_index()
@@ -41,9 +41,13 @@ def netcdf_table(data: bytes) -> Table:
     engine = "scipy" if data.startswith(b"CDF") else "h5netcdf"
     extra("scipy" if engine == "scipy" else "h5netcdf", "fit")
     try:
+        if engine == "h5netcdf":  # of a file that is not whole it leaves an open one behind
+            extra("h5py", "fit").File(BytesIO(data), "r").close()
         with xarray.open_dataset(BytesIO(data), engine=engine, decode_times=False) as dataset:
             dataset.load()
-    except (OSError, ValueError, TypeError, KeyError) as error:
+    except ImportError:
+        raise
+    except Exception as error:  # whatever the reader stumbles over in a damaged file
         raise _damaged("NetCDF", error) from None
     if not dataset.sizes:
         raise ArgumentError("path", "holds no table of numbers")

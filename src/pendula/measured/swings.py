@@ -23,6 +23,7 @@ if TYPE_CHECKING:
 _G = 9.81  # m/s², for a guess at the number of swings that is only offered
 _SINGLE = (0.7, 1.4)  # times the period of a small swing: what is one swing
 _MOTION = ("angle", "rate", "x", "acceleration", "force")
+_SAME = 1.5  # times the least median: columns that differ by more are not one time, repeated
 _LONGEST = 20.0  # of a pendulum's string, in metres: a larger number is in cm or mm
 
 
@@ -60,20 +61,22 @@ def period_table(table: Table, asked: Asked, log: Log) -> PeriodTable:
     log.took["period"] = tuple(name_in(table, each) for each in timed)
     times = np.column_stack([_seconds(each, asked, log) for each in timed])
     lengths = None if length is None else _lengths(length, asked, log)
-    swings = _swings(timed, times, lengths, asked)
-    log.took["swings"] = swings
-    periods = times / swings
-    there = np.isfinite(periods).any(axis=1)
-    for values in (lengths,):
+    amplitudes = None if amplitude is None else _amplitudes(amplitude, log)
+    there = np.isfinite(times).any(axis=1)
+    for values in (lengths, amplitudes):
         there &= True if values is None else np.isfinite(values)
-    periods = periods[there]
-    amplitudes = None if amplitude is None else _amplitudes(amplitude, asked, log)[there]
+    if not there.any():
+        raise ArgumentError("path", "holds no period beside a length or an amplitude")
+    lengths = None if lengths is None else lengths[there]
+    swings = _swings(timed, times[there], lengths, asked)
+    log.took["swings"] = swings
+    periods = times[there] / swings
     per = "one swing" if swings == 1 else f"{swings} swings: divided by that"
     log.note(f"Periods from {', '.join(map(str, timed))}, times of {per}.")
     return PeriodTable(
         period=np.nanmean(periods, axis=1),
-        length=None if lengths is None else lengths[there],
-        amplitude=amplitudes,
+        length=lengths,
+        amplitude=None if amplitudes is None else amplitudes[there],
         repeats=periods if periods.shape[1] > 1 else None,
     )
 
@@ -111,11 +114,37 @@ def _timed(table: Table, asked: Asked, varied: Sequence[Column | None]) -> tuple
         if len(counts) > 1:  # T beside the time of ten swings: what was read off the watch
             most = max(counts, key=lambda each: each or 0)
             found = [each for each in found if each.heading.swings == most]
+        found = [each for each in found if not _counts(each)]
         if found:
-            return tuple(found)
+            return _alike(table, found)
     rule = "is not told by any header: {text}"
     text = shown(free or table.columns, table)
     raise ArgumentError("period", rule, "name its columns with <period=2>", text=text)
+
+
+def _counts(column: Column) -> bool:
+    """Whether a column without a unit numbers the trials, instead of holding their times."""
+    import numpy as np
+
+    values = column.values[np.isfinite(column.values)]
+    whole = (values == np.round(values)).all() and values.min() in (0, 1)
+    return bool(whole) and not column.heading.unit
+
+
+def _alike(table: Table, columns: list[Column]) -> tuple[Column, ...]:
+    """Columns that can be the same time, measured several times.
+
+    Raises:
+        ArgumentError: for columns that differ by more.
+    """
+    import numpy as np
+
+    usual = [float(np.nanmedian(each.values)) for each in columns]
+    if max(usual) > _SAME * min(usual):
+        rule = "could be one of several columns that differ: {text}"
+        way_out = f"name it with <period={name_in(table, columns[0])}>"
+        raise ArgumentError("period", rule, way_out, text=shown(columns, table))
+    return tuple(columns)
 
 
 def _seconds(column: Column, asked: Asked, log: Log) -> Array:
@@ -158,7 +187,7 @@ def _lengths(column: Column, asked: Asked, log: Log) -> Array:
     return column.values
 
 
-def _amplitudes(column: Column, asked: Asked, log: Log) -> Array:
+def _amplitudes(column: Column, log: Log) -> Array:
     """Amplitudes in radians; without a unit, degrees if any is beyond a straight angle."""
     import numpy as np
 

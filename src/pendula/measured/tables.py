@@ -59,9 +59,12 @@ class Table:
         return replace(self, columns=tuple(columns))
 
     def rows(self, which: Array | slice) -> Table:
-        """The same table with these of its rows only."""
-        columns = tuple(replace(each, values=each.values[which]) for each in self.columns)
-        return replace(self, columns=columns, lines=self.lines[which])
+        """The same table with these of its rows only, without columns that are empty there."""
+        import numpy as np
+
+        columns = (replace(each, values=each.values[which]) for each in self.columns)
+        kept = tuple(each for each in columns if np.isfinite(each.values).any())
+        return replace(self, columns=kept, lines=self.lines[which])
 
     def noted(self, *notes: str) -> Table:
         """The same table with further notes."""

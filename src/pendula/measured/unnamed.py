@@ -84,6 +84,8 @@ def _is_round(pair: tuple[Column, Column], centre: tuple[Column, Column] | None)
         circle = circle_of(x, y)
         return circle is not None and circle.rms < _ROUND * min(circle.radius, float(np.nanstd(x)))
     far = np.hypot(x - centre[0].values, y - centre[1].values)
+    if not np.isfinite(far).any():
+        return False
     return bool(np.nanstd(far) < _ROUND * np.nanmean(far))
 
 
