@@ -25,7 +25,7 @@ def derived_of(
     """Quantities by name, with errors by their derivatives.
 
     Args:
-        names: of the parameters, (k,).
+        names: of the parameters of the first recording, (k,).
         x: their values, (k,).
         covariance: of them, (k, k).
         constants: parameters that were not fitted.
@@ -39,7 +39,7 @@ def derived_of(
         slope = [by.get(name, 0.0) for name in names]
         return math.sqrt(max(float(slope @ covariance @ slope), 0.0))
 
-    if "omega0_squared" not in values:
+    if "C_over_A" in values:
         return _of_double(values, error, length)
     square = values["omega0_squared"]
     root = math.sqrt(square)

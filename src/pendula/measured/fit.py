@@ -110,8 +110,9 @@ class Begun:
         self.length = math.inf
         self.rungs: Rungs = {}
         assert isinstance(plan.model, SingleModel)
+        constants = plan.problem(recordings).constants
         for i, each in enumerate(recordings):
-            own, length = first_window(each, plan.model, plan.fixed)
+            own, length = first_window(each, plan.model, constants)
             self.length = min(self.length, length)
             for name, value in {**own, **plan.start}.items():
                 if len(recordings) > 1:

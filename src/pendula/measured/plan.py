@@ -80,11 +80,34 @@ class Plan:
             "tolerance": self.tolerance,
         }
 
+    def sensor(self, measurement: Measurement) -> dict[str, float]:
+        """What is known of an accelerometer: whether it feels gravity, and how far out it is.
+
+        Raises:
+            ValueError: without gravity or a length the size of the swing is not told.
+        """
+        linear = bool(measurement.reading.get("linear", False))
+        known = {"gravity_seen": 0.0 if linear else 1.0}
+        if self.length is not None:
+            return {**known, "sensor_radius": self.length.value}
+        if linear and "sensor_radius" not in self.fixed:
+            raise ArgumentError(
+                "length",
+                "is needed for an acceleration without gravity, L ω²",
+                "give the distance of the sensor from the pivot [m]",
+            )
+        return known
+
     def problem(self, recordings: tuple[Sampled, ...]) -> Problem:
         """The least squares problem."""
         fixed = dict(self.fixed)
         if isinstance(self.model, SingleModel):
-            names = ("theta", "omega", "omega0_squared", *self.frictions, self.model.offset)
+            seen: tuple[str, ...] = (self.model.offset,)
+            if self.model.quantity == "acceleration":
+                known = self.sensor(recordings[0].measurement)
+                seen = ("sensor_radius",) if "sensor_radius" not in known else seen
+                fixed = {**known, **fixed}
+            names = ("theta", "omega", "omega0_squared", *self.frictions, *seen)
         elif self.geometry is None:
             names = (*STATE, *SHAPE, *self.frictions)
         else:
@@ -104,7 +127,10 @@ def planned(measurement: Any, model: Any, **given: Any) -> tuple[Plan, tuple[Sam
     Raises:
         ValueError: for an argument out of range, or a recording that cannot be fitted.
     """
-    measurements = asked.measurements_of(measurement)
+    measurements = tuple(
+        each.as_angle() if each.quantity == "position" else each
+        for each in asked.measurements_of(measurement)
+    )
     linear, frictions = asked.model_parts(model)
     made = _model(measurements, linear, frictions)
     rows, window, shared = made.rows, given.get("window"), given.get("shared")
@@ -142,13 +168,9 @@ def _model(
         ValueError: where there is none.
     """
     first = measurements[0]
-    if first.quantity == "position" or (first.bodies == 2 and first.quantity != "angle"):
-        raise ArgumentError(
-            "measurement",
-            "must hold angles, or the rate or acceleration of one pendulum, got {value}",
-            "read it as an angle",
-            value=first.quantity,
-        )
+    if first.bodies == 2 and first.quantity != "angle":
+        rule = "must hold the angles of a double pendulum, got {value}"
+        raise ArgumentError("measurement", rule, value=first.quantity)
     if first.bodies == 1:
         return SingleModel(first.quantity, linear)
     if len(measurements) > 1:

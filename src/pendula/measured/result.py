@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 ALIKE = 0.98  # correlation beyond which two parameters are not told apart
 _SWINGS = 2.0  # in a quarter of a record that is fitted alone
 _EARTH = (9.5, 10.1)  # m/s²: g beyond is not the Earth's
-_UNDAMPED = 1.5  # times the residuals of viscous friction: the record is damped
+_STRONG = 10.0  # of BIC: very strong evidence (Kass & Raftery, J. Am. Stat. Assoc. 90 (1995) 773)
 _POOR = 0.3  # of the spread: residuals of a model that does not describe the record
 
 
@@ -35,13 +35,22 @@ def result_of(plan: Plan, problem: Problem, best: Optimum, viscous: float) -> Fi
         plan: what was asked for.
         problem: that was solved.
         best: its optimum.
-        viscous: residuals that viscous friction leaves, beside an undamped model [rms].
+        viscous: residuals that viscous friction leaves, beside a model without friction; otherwise
+            those of the model itself [rms].
     """
+    import numpy as np
+
     errors = errors_of(problem, best.x)
     errors = with_other_errors(problem, best, errors, plan.uncertainty, plan.seed)
     correlation = _correlation(errors.covariance)
+    places = problem.places(0)
     derived = derived_of(
-        best.names, best.x, errors.covariance, dict(problem.constants), plan.length, plan.gravity
+        problem.free,
+        best.x[places],
+        errors.covariance[np.ix_(places, places)],
+        dict(problem.constants),
+        plan.length,
+        plan.gravity,
     )
     samples = sum(int(each.there.sum()) for each in problem.recordings)
     worth = errors.effective * math.log(best.rms**2)
@@ -181,7 +190,8 @@ def _notes(made: Fit, errors: Errors, viscous: float) -> list[Note]:
         )
     if (errors.standard > 1.001 * errors.kinds["autocorrelation"]).any():
         notes.append(Note("structured", {"rms": made.rms, "unit": unit}))
-    if made.model in ("undamped", "linear") and made.rms > _UNDAMPED * viscous:
+    worth = made.n_effective
+    if 2.0 * worth * math.log(made.rms / viscous) - math.log(worth) > _STRONG:
         notes.append(Note("damped", {"rms": made.rms, "unit": unit, "other": viscous}))
     spread = np.nanstd(np.concatenate([each.measured for each in made.recordings]))
     if made.rms > _POOR * spread:

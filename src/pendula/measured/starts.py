@@ -10,6 +10,7 @@ from pendula.measured.problem import Optimum, Problem, Sampled, minimise
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
+    from pendula._types import Array
     from pendula.measured.model import SingleModel
 
 FIRST = 2.5  # periods of the first window
@@ -36,9 +37,13 @@ def first_window(
     import numpy as np
 
     names = ("theta", "omega", "omega0_squared", "viscous", model.offset)
+    if model.quantity == "acceleration" and "sensor_radius" not in constants:
+        names = (*names[:-1], "sensor_radius")
     free = tuple(name for name in names if name not in constants)
     problem = Problem(model, (sampled,), free, (), constants)
     frequency = main_frequency(sampled)
+    if model.quantity == "acceleration":  # which is the same on both sides
+        frequency *= 0.5
     span = float(sampled.t[-1] - sampled.t[0])
     length = min(FIRST * 2.0 * math.pi / frequency, span)
     first = problem.within(length).thinned(MOST)
@@ -81,6 +86,8 @@ def _harmonic(
 
     there = sampled.there[:, 0]
     t, y = sampled.t[there] - sampled.t[0], sampled.values[there, 0]
+    if model.quantity == "acceleration":
+        return _by_acceleration(t, y, frequency, constants)
     basis = np.stack([np.cos(frequency * t), np.sin(frequency * t), np.ones_like(t)], axis=1)
     (cosine, sine, offset), *_ = np.linalg.lstsq(basis, y, rcond=None)
     scale = constants.get("scale", 1.0)
@@ -96,6 +103,29 @@ def _harmonic(
         "omega0_squared": natural**2,
         "viscous": 0.01 * frequency,
         model.offset: offset,
+    }
+
+
+def _by_acceleration(
+    t: Array, y: Array, frequency: float, constants: Mapping[str, float]
+) -> dict[str, float]:
+    """The same from R (ω² + s ω0² cos θ) of θ = A cos(Ωt + φ), −(2 + s)/4 R Ω² A² cos 2(Ωt + φ)."""
+    import numpy as np
+
+    both = 2.0 * frequency * t
+    basis = np.stack([np.cos(both), np.sin(both), np.ones_like(t)], axis=1)
+    (cosine, sine, mean), *_ = np.linalg.lstsq(basis, y, rcond=None)
+    radius = constants.get("sensor_radius", abs(mean) / frequency**2)
+    seen = constants.get("gravity_seen", 0.0)
+    size = 4.0 * math.hypot(cosine, sine) / ((2.0 + seen) * radius * frequency**2)
+    amplitude, phase = min(math.sqrt(size), _LARGEST), 0.5 * math.atan2(sine, -cosine)
+    return {
+        "theta": amplitude * math.cos(phase),
+        "omega": -amplitude * frequency * math.sin(phase),
+        "omega0_squared": (frequency / _slowing(amplitude)) ** 2,
+        "viscous": 0.01 * frequency,
+        "sensor_radius": radius,
+        "acceleration_offset": 0.0,
     }
 
 
