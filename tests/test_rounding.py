@@ -24,6 +24,7 @@ from pendula.measured.rounding import rounded, with_uncertainty
         (1.23456e-5, 4.2e-8, "(1.235 ± 0.004) × 10⁻⁵"),
         (0.0, 3e-7, "(0.0 ± 3.0) × 10⁻⁷"),
         (2.5, 0.0, "2.5"),
+        (0.75, 1e-60, "0.75000000000000000 ± 0.00000000000000017"),  # a double's own resolution
     ],
 )
 def test_digits_are_those_that_the_uncertainty_leaves(

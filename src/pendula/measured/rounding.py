@@ -13,6 +13,7 @@ LANGUAGES = ("en", "es")
 
 _ONE_DIGIT_FROM, _TEN_FROM = 355, 950  # of the three leading digits of the uncertainty
 _SMALLEST_PLAIN, _LARGEST_PLAIN = -3, 5  # powers of ten that are written out
+_FINEST = 2.0**-52  # of a double: it is known no better than this part of itself
 _MOST_DIGITS = 17  # no double holds more
 _EXACT = Context(prec=800)  # a double and its last digit, however far apart they lie
 _RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
@@ -53,7 +54,7 @@ def rounded(value: float, uncertainty: float, *, coverage: float = 1.0) -> Round
     Args:
         value: what is printed, in any unit.
         uncertainty: its standard uncertainty, in the same unit; 0: the value is exact; infinite or
-            NaN: nothing is known.
+            NaN: nothing is known. One below the resolution of doubles is taken for that.
         coverage: the factor k of the expanded uncertainty U = k u (JCGM 100:2008, 6.2.1), which is
             then what is rounded and shown.
 
@@ -70,6 +71,7 @@ def rounded(value: float, uncertainty: float, *, coverage: float = 1.0) -> Round
         return Rounded(f"{found:.3g}", "∞", 0)
     if spread == 0:
         return Rounded(f"{found:.{_MOST_DIGITS - 2}g}", "", 0)
+    spread = max(spread, _FINEST * abs(found))
     place = _last_place(spread)
     exact, error = _at(Decimal(found), place), _at(Decimal(spread), place)
     exponent = _power_of_ten(exact, error, place)
