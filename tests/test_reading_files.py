@@ -181,6 +181,15 @@ def test_matlab(tmp_path: Path) -> None:
         np.testing.assert_allclose(found.t, T, rtol=0, atol=1e-12)
 
 
+def test_a_matrix_of_two_angles_in_matlab(tmp_path: Path) -> None:
+    file = io.BytesIO()
+    both = np.column_stack([SWING, OTHER_SWING])
+    scipy.io.savemat(file, {"theta": both, "dt": 0.02})
+    found = measured(tmp_path / "a.mat", file.getvalue())
+    assert found.names == ("theta1", "theta2")
+    np.testing.assert_array_equal(found.values, both)
+
+
 def test_runs_in_matlab(tmp_path: Path) -> None:
     """As the double encoder's windows: times, and states by rows."""
     file = io.BytesIO()

@@ -106,6 +106,13 @@ def test_what_columns_are_taken_for_is_told(tmp_path: Path) -> None:
     )
 
 
+def test_letters_of_latin_1(tmp_path: Path) -> None:
+    content = text("temps;angle (degrés)", rows(T, DEGREES, separator=";"))
+    found = measured(tmp_path / "a.csv", content.encode("latin-1"))
+    assert found.reading["unit"] == "degrés"
+    assert "The text is Latin-1." in found.notes
+
+
 def test_missing_samples_stay_missing(tmp_path: Path) -> None:
     gone = SWING.copy()
     gone[[5, 70, 71]] = np.nan

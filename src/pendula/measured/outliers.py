@@ -15,7 +15,6 @@ _STEPS = 3.0  # steps from sample to sample, below which none is an outlier
 _IN_A_ROW = 3  # samples, at most, that are outliers together
 _SHARE = 0.01  # of the range of the motion, below which none is seen
 _AROUND = 51  # samples whose deviations a sample's is compared with
-_FARTHEST = 8.0  # usual steps that the neighbours of a sample may span: beyond is a gap
 _HELD = 0.8  # of the samples differ from the one before, or values are held
 
 
@@ -107,18 +106,17 @@ def _deviations(t: Array, v: Array) -> Array:
 
     They say it three ways: the parabola through three before it, the one through three after, the
     cubic through two on each side. The median of the three is not moved by an outlier beside it.
-    No way goes across a gap; at an end, where one is missing, there is no judgement.
+    At an end, where a way is missing, there is no judgement.
     """
     import numpy as np
 
-    usual = float(np.median(np.diff(t)))
     ways = ((-3, -2, -1), (1, 2, 3), (-2, -1, 1, 2))
-    made = np.array([_through(t, v, places, _FARTHEST * usual) for places in ways])
+    made = np.array([_through(t, v, places) for places in ways])
     off: Array = np.abs(v - np.median(made, axis=0))
     return np.where(np.isfinite(off), off, 0.0)
 
 
-def _through(t: Array, v: Array, places: tuple[int, ...], farthest: float) -> Array:
+def _through(t: Array, v: Array, places: tuple[int, ...]) -> Array:
     """The polynomial through neighbours at these places, at each sample, (n,) (Lagrange's form)."""
     import numpy as np
 
@@ -132,7 +130,6 @@ def _through(t: Array, v: Array, places: tuple[int, ...], farthest: float) -> Ar
             if i != j:
                 weight = weight * (at - other) / (node - other)
         made += weight * v[first + places[i] : last + places[i]]
-    near = np.maximum(nodes[-1], at) - np.minimum(nodes[0], at) <= farthest
     whole = np.full(t.size, np.nan)
-    whole[first:last] = np.where(near, made, np.nan)
+    whole[first:last] = made
     return whole
