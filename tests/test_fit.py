@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import re
 import time
 from dataclasses import replace
 from typing import TYPE_CHECKING
@@ -280,39 +279,6 @@ def test_the_long_swing_is_fitted_in_time() -> None:
         return time.process_time() - begin
 
     assert min(seconds() for _ in range(4)) < 0.4  # 0.15 s on an idle machine
-
-
-@pytest.mark.parametrize(
-    ("given", "said"),
-    [
-        ({"model": "sticky"}, "model must be one of undamped"),
-        ({"model": "linear + coulomb"}, 'model must be "linear" or "linear + viscous"'),
-        ({"fixed": {"mass": 1.0}}, "fixed must be one of theta"),
-        ({"fixed": 3}, "fixed must be values by the names of parameters, got 3"),
-        ({"length": -1.0}, "length must be positive [m], got -1.0"),
-        ({"length": (1.0, 2.0, 3.0)}, "length must be a value or"),
-        ({"signs": "any"}, "signs must be one of physical, free"),
-        ({"window": (5.0, 5.0)}, "window must be two rising times"),
-        ({"window": (100.0, 200.0)}, "window must hold at least 8 samples"),
-        ({"uncertainty": "guess"}, "uncertainty must be one of corrected"),
-        ({"geometry": 3}, "geometry must be a double pendulum"),
-    ],
-)
-def test_bad_arguments_are_named(given: dict[str, object], said: str) -> None:
-    with pytest.raises(ValueError, match=re.escape(said)) as error:
-        fit(clean(), **given)  # type: ignore[arg-type]
-    assert "\n" not in str(error.value)
-
-
-def test_what_is_no_recording_is_refused() -> None:
-    with pytest.raises(ValueError, match=r"measurement must be a Measurement or several"):
-        fit([1.0, 2.0])  # type: ignore[list-item]
-    made = clean()
-    with pytest.raises(ValueError, match="must have rising times"):
-        fit(replace(made, t=made.t[::-1].copy()))
-    rate = replace(made, quantity="rate")
-    with pytest.raises(ValueError, match="must be of one kind, got angle of 1 and rate of 1"):
-        fit([made, rate])
 
 
 def test_notes_are_worded_in_both_languages() -> None:

@@ -15,7 +15,6 @@ if TYPE_CHECKING:
 
 FIRST = 2.5  # periods of the first window
 MOST = 500  # samples of an early fit
-ROUGH = 1e-3  # relative change of the sum of squares at which it ends
 _POOR = 0.3  # of the signal's spread: residuals of a first window that has not been understood
 _FACTORS = (1.0, 0.7, 1.4, 0.5, 2.0)  # of the frequency that are tried there
 _LARGEST = 3.0  # amplitude that a first guess has [rad]
@@ -51,7 +50,7 @@ def first_window(
     best: Optimum | None = None
     for factor in _FACTORS:
         guess = _harmonic(first.recordings[0], model, frequency * factor, constants)
-        found = minimise(first, np.array([guess[name] for name in first.names]), precision=ROUGH)
+        found = minimise(first, np.array([guess[name] for name in first.names]), rough=True)
         if best is None or found.rms < best.rms:
             best = found
         if best.rms < _POOR * spread:
