@@ -42,3 +42,5 @@ def test_what_is_no_recording_is_refused() -> None:
     rate = replace(made, quantity="rate")
     with pytest.raises(ValueError, match="must be of one kind, got angle of 1 and rate of 1"):
         fit([made, rate])
+    with pytest.raises(ValueError, match="must hold a motion: one of its columns is 0.3 all the"):
+        fit(replace(made, values=made.values * 0.0 + 0.3))

@@ -198,7 +198,7 @@ def _notes(made: Fit, errors: Errors, viscous: float) -> list[Note]:
         notes.append(Note("poor", {"share": float(made.rms / spread)}))
     notes += [Note("at_bound", {"name": name}) for name in made.at_bounds]
     notes += [Note("unphysical", {"name": name}) for name in made.unphysical]
-    notes += _untold(made, errors)
+    notes += [*_by_quarters(made), *_untold(made, errors)]
     g = made.derived.get("gravity")
     if g is not None and not _EARTH[0] < g.value < _EARTH[1]:
         beyond = min(abs(g.value - each) for each in _EARTH)
@@ -211,6 +211,15 @@ def _notes(made: Fit, errors: Errors, viscous: float) -> list[Note]:
                 )
             )
     return notes
+
+
+def _by_quarters(made: Fit) -> list[Note]:
+    """How ω0² scatters over quarters of the first recording, which says what the model misses."""
+    quarters = made.recordings[0].quarters
+    if not len(quarters) or "omega0_squared" not in made.parameters:
+        return []
+    values = quarters[:, made.parameters.index("omega0_squared")].tolist()
+    return [Note("quarters", {"values": tuple(f"{each:.6g}" for each in values)})]
 
 
 def _untold(made: Fit, errors: Errors) -> list[Note]:

@@ -48,8 +48,11 @@ def first_window(
     first = problem.within(length).thinned(MOST)
     spread = float(np.nanstd(first.recordings[0].values))
     best: Optimum | None = None
-    for factor in _FACTORS:
-        guess = _harmonic(first.recordings[0], model, frequency * factor, constants)
+    guesses = [
+        *(_harmonic(first.recordings[0], model, frequency * f, constants) for f in _FACTORS),
+        *([_by_energy(sampled, constants)] if model.quantity == "angle" else []),
+    ]
+    for guess in guesses:
         found = minimise(first, np.array([guess[name] for name in first.names]), rough=True)
         if best is None or found.rms < best.rms:
             best = found
@@ -125,6 +128,24 @@ def _by_acceleration(
         "viscous": 0.01 * frequency,
         "sensor_radius": radius,
         "acceleration_offset": 0.0,
+    }
+
+
+def _by_energy(sampled: Sampled, constants: Mapping[str, float]) -> dict[str, float]:
+    """Parameters by the law of energy, ω² = 2 ω0² cos θ + a − b t, whether it swings or turns."""
+    import numpy as np
+
+    there = sampled.there[:, 0]
+    t, y = sampled.t[there] - sampled.t[0], sampled.values[there, 0] / constants.get("scale", 1.0)
+    rates = np.gradient(y, t)
+    basis = np.stack([2.0 * np.cos(y), np.ones_like(t), -t], axis=1)
+    square = float(np.linalg.lstsq(basis, rates**2, rcond=None)[0][0])
+    return {
+        "theta": float(y[0]),
+        "omega": float(rates[:3].mean()),
+        "omega0_squared": max(square, 1e-6),
+        "viscous": 0.0,
+        "angle_offset": 0.0,
     }
 
 
