@@ -172,6 +172,7 @@ def test_a_pendulum_that_first_turns_over_is_fitted() -> None:
     assert np.ptp(found.recordings[0].measured) > 2 * np.pi
     assert found["omega0_squared"].value == pytest.approx(12.0, abs=0.01)
     assert found["viscous"].value == pytest.approx(0.1, abs=1e-3)
+    assert found["angle_offset"].value == pytest.approx(0.0, abs=2e-3)
 
 
 def test_liquids_stop_a_swing_soon() -> None:

@@ -48,10 +48,10 @@ def first_window(
     first = problem.within(length).thinned(MOST)
     spread = float(np.nanstd(first.recordings[0].values))
     best: Optimum | None = None
-    guesses = [
-        *(_harmonic(first.recordings[0], model, frequency * f, constants) for f in _FACTORS),
-        *([_by_energy(sampled, constants)] if model.quantity == "angle" else []),
-    ]
+    guesses = [_harmonic(first.recordings[0], model, frequency * f, constants) for f in _FACTORS]
+    if model.quantity == "angle":
+        turns = np.ptp(sampled.values[sampled.there[:, 0]]) > 2.0 * math.pi
+        guesses.insert(0 if turns else len(guesses), _by_energy(sampled, constants))
     for guess in guesses:
         found = minimise(first, np.array([guess[name] for name in first.names]), rough=True)
         if best is None or found.rms < best.rms:
@@ -59,7 +59,12 @@ def first_window(
         if best.rms < _POOR * spread:
             break
     assert best is not None
-    return dict(zip(best.names, best.x.tolist(), strict=True)), length
+    values = dict(zip(best.names, best.x.tolist(), strict=True))
+    if "theta" in values and "angle_offset" in values and "scale" not in constants:
+        turns = 2.0 * math.pi * round(values["angle_offset"] / (2.0 * math.pi))
+        values["theta"] += turns  # whole turns are the pendulum's, not the offset's
+        values["angle_offset"] -= turns
+    return values, length
 
 
 def main_frequency(sampled: Sampled) -> float:
