@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import time
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -64,6 +65,11 @@ def test_the_shape_is_found_without_knowing_anything() -> None:
         ratio = found.derived["gravity_over_length1"]
         assert ratio.value == pytest.approx(9.80858 / 0.1727192, rel=0.01)
         assert found.rms < 7e-3
+    wrong = fit(replace(window(1), geometry={"l1": 0.1}), "viscous")
+    assert "gravity_unlikely" in wrong.flags
+    right = fit(replace(window(1), geometry={"l1": 0.1727192}), "viscous")
+    assert right["gravity"].value == pytest.approx(9.81, rel=0.01)
+    assert "gravity_unlikely" not in right.flags
 
 
 def test_the_model_leaves_where_it_is_wrong() -> None:
@@ -75,6 +81,8 @@ def test_the_model_leaves_where_it_is_wrong() -> None:
     assert found.horizon.left
     assert found.horizon.followed < 1.0 < found.horizon.trust
     assert len(found.recordings) == 6
+    assert "left" in found.flags
+    assert "leaves the measurement by 0.01 rad after" in found.notes[-1].sentence()
 
 
 def test_true_values_of_a_chaotic_motion_lie_within_their_errors() -> None:

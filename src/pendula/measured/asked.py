@@ -116,6 +116,9 @@ def sampled(measurement: Measurement, window: object) -> Sampled:
             least=_FEWEST,
             value=len(found.t),
         )
+    if (np.nanmax(found.values, axis=0) == np.nanmin(found.values, axis=0)).any():
+        rule = "must hold a motion: one of its columns is {value} all the time"
+        raise ArgumentError("measurement", rule, value=float(np.nanmin(found.values[:, 0])))
     if (np.diff(found.t) <= 0.0).any():
         first = int((np.diff(found.t) <= 0.0).argmax())
         rule = "must have rising times, got {value} s after {other} s"

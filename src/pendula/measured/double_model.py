@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from pendula import _engine
-from pendula.measured.model import MOST_STEPS, TOLERANCE, Row
+from pendula.measured.model import MOST_STEPS, ROUGH_TOLERANCE, TOLERANCE, Row
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
@@ -29,6 +29,7 @@ class DoubleModel:
     """
 
     quantity: str = "angle"
+    tolerance: float = TOLERANCE
 
     @property
     def rows(self) -> tuple[Row, ...]:
@@ -49,7 +50,7 @@ class DoubleModel:
         """See `SingleModel.states`; (n, 4)."""
         import numpy as np
 
-        request, start, parameters = _run(t, values)
+        request, start, parameters = _run(t, values, self.tolerance)
         result = _engine.ensemble(request, start, parameters, 1, None)
         return np.asarray(result.states(len(t), 4)[0])
 
@@ -70,7 +71,7 @@ class DoubleModel:
         """Derivatives of the states by some of the parameters, (n, 4, k)."""
         import numpy as np
 
-        request, start, parameters = _run(t, values)
+        request, start, parameters = _run(t, values, self.tolerance)
         names = _core_names()
         chain = _chain(values)
         needed = sorted({4 + names.index(n) for c in columns for n in chain.get(c, {})})
@@ -83,6 +84,10 @@ class DoubleModel:
             for name, factor in chain.get(column, {}).items():
                 found[..., place] += factor * run[..., needed.index(4 + names.index(name))]
         return found
+
+    def roughly(self) -> DoubleModel:
+        """The same, computed with fewer digits."""
+        return replace(self, tolerance=ROUGH_TOLERANCE)
 
     def system(self, values: Mapping[str, float]) -> System | None:
         """A pendulum with A = 1 and l1 = 1 that moves so; None: no two bodies do."""
@@ -157,7 +162,9 @@ def _chain(values: Mapping[str, float]) -> dict[str, dict[str, float]]:
     return found
 
 
-def _run(t: Array, values: Mapping[str, float]) -> tuple[_engine.Request, Array, Array]:
+def _run(
+    t: Array, values: Mapping[str, float], tolerance: float
+) -> tuple[_engine.Request, Array, Array]:
     """The run of the core, its start (1, 4) and its parameters (1, p)."""
     import numpy as np
 
@@ -171,7 +178,7 @@ def _run(t: Array, values: Mapping[str, float]) -> tuple[_engine.Request, Array,
         start[0],
         float(t[0]),
         t,
-        tolerance=TOLERANCE,
+        tolerance=tolerance,
         max_steps=MOST_STEPS,
     )
     return request, start, np.array([[bodies[name] for name in names]])

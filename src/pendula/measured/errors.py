@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from pendula._checks import extra
+from pendula.measured.least_squares import triangle
 from pendula.measured.noise import (
     Noise,
     Series,
@@ -70,7 +71,7 @@ def errors_of(problem: Problem, x: Array) -> Errors:
     jacobian = np.concatenate([each.jacobian for each in series])
     size = np.linalg.norm(jacobian, axis=0)
     size[size == 0.0] = 1.0
-    _, singular, directions = np.linalg.svd(jacobian / size, full_matrices=False)
+    _, singular, directions = np.linalg.svd(triangle(jacobian / size))
     good = singular > _FLAT * singular[0]
     inverse = (directions[good].T / singular[good] ** 2) @ directions[good] / np.outer(size, size)
     noises = [noise_of(each) for each in series]
@@ -84,7 +85,7 @@ def errors_of(problem: Problem, x: Array) -> Errors:
     standard = modelled * factor
     widened = standard / np.sqrt(np.maximum(np.diagonal(covariance), 1e-300))
     rest = np.concatenate([each.residuals for each in series])
-    variance = float(rest @ rest) / max(len(rest) - len(x), 1)
+    variance = float(np.sum(rest**2)) / max(len(rest) - len(x), 1)
     return Errors(
         covariance * np.outer(widened, widened),
         standard,

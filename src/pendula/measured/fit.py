@@ -14,6 +14,7 @@ from pendula.measured.plan import Plan, planned
 from pendula.measured.result import result_of
 from pendula.measured.starts import first_window
 from pendula.measured.windows import cut, horizon_of, shot
+from pendula.measured.words import Note
 
 if TYPE_CHECKING:
     from pendula.measured.fitted import Fit
@@ -50,8 +51,8 @@ def fit(
         measurement: one recording, or several of the same pendulum that are fitted together.
         model: kinds of friction joined by +, or a sequence of them: "viscous", "coulomb",
             "quadratic", "cubic"; "undamped": none; "linear" among them: −ω0² θ.
-        length: from the pivot to the bob, if known, or (value, sigma): then g is told [m].
-            Otherwise that of the recording, if it has one.
+        length: from the pivot to the bob, or from pivot to joint, if known, or (value, sigma): then
+            g is told [m]. Otherwise that of the recording, if it has one.
         gravity: if known, or (value, sigma): then the length is told [m/s²].
         fixed: values of parameters that are not fitted, by name.
         free: names of parameters that are fitted besides: "scale", "torque", "drive_frequency",
@@ -140,4 +141,9 @@ def fitted_double(plan: Plan, recording: Sampled) -> Fit:
     parts = [recording] if plan.windows is None else cut(recording, plan.windows)
     problem, best = shot(plan.problem(tuple(parts)), robust=plan.robust)
     made = result_of(plan, problem, best, best.rms)
-    return replace(made, horizon=horizon_of(made, recording, plan.tolerance))
+    horizon = horizon_of(made, recording, plan.tolerance)
+    if horizon is None:
+        return made
+    key = "lost" if horizon.trust < horizon.followed else "left" if horizon.left else "followed"
+    note = Note(key, {name: float(x) for name, x in horizon._asdict().items() if name != "left"})
+    return replace(made, horizon=horizon, notes=(*made.notes, note), flags=(*made.flags, note.key))

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 from pendula.measured.model import FRICTIONS
 from pendula.measured.problem import Optimum, Problem, minimise
-from pendula.measured.starts import MOST, ROUGH, equivalents
+from pendula.measured.starts import MOST, equivalents
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from pendula._types import Array
 
 _GROWS = 3.0  # times as long is the next window
+_NEARLY = 0.6  # of the record: a window beyond is as good as all of it
 
 
 Rungs = dict[frozenset[str], Optimum]  # optima of fewer samples, by the frictions in them
@@ -58,10 +59,10 @@ def climbed(
             else:
                 best = min((found[chosen - {name}] for name in chosen), key=_rms)
                 found[chosen] = minimise(
-                    replace(smaller, recordings=thin.recordings),
+                    replace(smaller, recordings=thin.recordings, model=thin.model),
                     _filled(smaller, best),
                     robust=robust,
-                    precision=ROUGH,
+                    rough=True,
                 )
     if not frictions:
         start = _begun(problem, first, length, "")
@@ -116,8 +117,8 @@ def _grown(problem: Problem, start: Array, length: float, *, robust: bool) -> Op
     """The optimum over the whole record, by way of windows from its start."""
     span = max(float(each.t[-1] - each.t[0]) for each in problem.recordings)
     x = start
-    while length < span:
+    while length < _NEARLY * span:
         window = problem.within(length).thinned(MOST)
-        x = minimise(window, x, robust=robust, precision=ROUGH).x
+        x = minimise(window, x, robust=robust, rough=True).x
         length *= _GROWS
-    return minimise(problem.thinned(MOST), x, robust=robust, precision=ROUGH)
+    return minimise(problem.thinned(MOST), x, robust=robust, rough=True)

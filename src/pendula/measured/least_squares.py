@@ -9,10 +9,11 @@ from pendula._checks import extra
 if TYPE_CHECKING:
     from pendula._types import Array
 
-_MOST_STEPS = 60
+MOST_STEPS = 60
 _FIRST_DAMPING = 1e-4
 _LEAST_DAMPING = 1e-12
 _LARGEST_DAMPING = 1e12
+_ROWS = 256  # of a part of a tall matrix
 
 
 class Residuals(Protocol):
@@ -26,7 +27,13 @@ class Residuals(Protocol):
 
 
 def least_squares(
-    of: Residuals, start: Array, lower: Array, upper: Array, precision: float, scale: float = 0.0
+    of: Residuals,
+    start: Array,
+    lower: Array,
+    upper: Array,
+    precision: float,
+    scale: float = 0.0,
+    most: int = MOST_STEPS,
 ) -> tuple[Array, float]:
     """Levenberg-Marquardt (Moré 1978), each step a bounded linear problem.
 
@@ -41,6 +48,7 @@ def least_squares(
         lower: bounds, (k,).
         upper: likewise.
         precision: relative change of the sum of squares at which it ends.
+        most: steps at most.
         scale: residuals much beyond it count by their size, not its square (soft_l1); 0: none do.
 
     Returns:
@@ -52,7 +60,7 @@ def least_squares(
     rest = of.residuals(x)
     cost = _cost(rest, scale)
     size = np.zeros(len(x))
-    for _ in range(_MOST_STEPS):
+    for _ in range(most):
         weights = _weights(rest, scale)
         reduced, target = _reduced(of.jacobian(x) * weights[:, np.newaxis], rest * weights)
         size = np.maximum(size, np.linalg.norm(reduced, axis=0))
@@ -82,7 +90,7 @@ def _cost(residuals: Array, scale: float) -> float:
     import numpy as np
 
     if not scale:
-        return float(residuals @ residuals)
+        return float(np.sum(residuals**2))
     return float(2.0 * scale**2 * np.sum(np.sqrt(1.0 + (residuals / scale) ** 2) - 1.0))
 
 
@@ -99,9 +107,27 @@ def _reduced(jacobian: Array, residuals: Array) -> tuple[Array, Array]:
     """The same linear problem in k rows."""
     import numpy as np
 
-    triangle = np.array(np.linalg.qr(np.column_stack([jacobian, residuals]), mode="r"))
+    reduced = triangle(np.column_stack([jacobian, residuals]))
     k = jacobian.shape[1]
-    return triangle[:, :k], triangle[:, k]
+    return reduced[:, :k], reduced[:, k]
+
+
+def triangle(matrix: Array) -> Array:
+    """R of the QR decomposition of a tall matrix, by way of those of its parts.
+
+    Each part is too small for LAPACK to share out, so the bits do not depend on threads, and
+    nothing waits for them.
+    """
+    import numpy as np
+
+    n, k = matrix.shape
+    parts = -(-n // _ROWS)
+    padded = np.zeros((parts * _ROWS, k))
+    padded[:n] = matrix
+    stacked = np.array(np.linalg.qr(padded.reshape(parts, _ROWS, k), mode="r"))
+    if parts == 1:
+        return np.asarray(stacked[0])
+    return triangle(stacked.reshape(-1, k))
 
 
 def _step(matrix: Array, target: Array, damping: float, lower: Array, upper: Array) -> Array:

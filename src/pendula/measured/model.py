@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, NamedTuple
 
 from pendula import _engine
@@ -17,6 +17,7 @@ if TYPE_CHECKING:
 FRICTIONS = ("viscous", "coulomb", "quadratic", "cubic")
 DRIVE = ("torque", "drive_frequency", "drive_phase")
 TOLERANCE = 1e-10  # of the runs: far below what any encoder resolves
+ROUGH_TOLERANCE = 1e-6  # of those on the way to an optimum
 MOST_STEPS = 20_000  # of a run: beyond, the parameters are none that a pendulum has
 _SMALLEST = 1e-9  # of ω0² [1/s²]
 
@@ -73,10 +74,12 @@ class SingleModel:
     Attributes:
         quantity: "angle", "rate" or "acceleration".
         linear: −ω0² θ in place of −ω0² sin θ; it has viscous friction alone.
+        tolerance: of its runs.
     """
 
     quantity: str
     linear: bool = False
+    tolerance: float = TOLERANCE
 
     @property
     def rows(self) -> tuple[Row, ...]:
@@ -151,6 +154,10 @@ class SingleModel:
             found[:, place] += own.get(name, 0.0)
         return np.asarray(found[:, np.newaxis])
 
+    def roughly(self) -> SingleModel:
+        """The same, computed with fewer digits."""
+        return replace(self, tolerance=ROUGH_TOLERANCE)
+
     def system(self, values: Mapping[str, float]) -> System | None:
         """The pendulum with these values, of inertia 1; None: one of them is unphysical."""
         from pendula.systems import DrivenPendulum, LinearPendulum
@@ -197,7 +204,7 @@ class _Motion:
             state[0],
             float(t[0]),
             t,
-            tolerance=TOLERANCE,
+            tolerance=model.tolerance,
             max_steps=MOST_STEPS,
         )
         columns = {"theta": 0, "omega": 1}

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from pendula._checks import extra
+from pendula.measured.least_squares import triangle
 
 if TYPE_CHECKING:
     import numpy as np
@@ -14,6 +15,7 @@ if TYPE_CHECKING:
 
     from pendula._types import Array
 
+_FLAT = 1e-10  # of the largest singular value: a direction that the data do not tell
 _LARGEST = 5.3  # atanh of the autocorrelation that is looked for, 0.99995
 
 
@@ -119,7 +121,7 @@ class _Likelihood:
     first: Array
     gaps: list[int]
     counts: list[int]
-    sums: list[tuple[Array, Array, Array]]
+    sums: list[tuple[Array, ...]]
 
     @classmethod
     def of(cls, series: Series) -> _Likelihood:
@@ -128,14 +130,15 @@ class _Likelihood:
 
         told = np.abs(series.jacobian).max(axis=0) > 0.0
         jacobian = series.jacobian[:, told]
-        basis = np.linalg.qr(jacobian / np.linalg.norm(jacobian, axis=0))[0]
+        basis = _basis(jacobian / np.linalg.norm(jacobian, axis=0))
         both = np.column_stack([basis, series.residuals])
         steps = np.diff(series.places)
         gaps, counts = np.unique(steps, return_counts=True)
         sums = []
         for gap in gaps:
             later, earlier = both[1:][steps == gap], both[:-1][steps == gap]
-            sums.append((later.T @ later, later.T @ earlier, earlier.T @ earlier))
+            pairs = ((later, later), (later, earlier), (earlier, earlier))
+            sums.append(tuple(products(*pair) for pair in pairs))
         n = len(both)
         first = np.outer(both[0], both[0])
         return cls(n, n - basis.shape[1], first, gaps.tolist(), counts.tolist(), sums)
@@ -161,6 +164,22 @@ class _Likelihood:
         return 0.5 * lost, left
 
 
+def products(one: Array, other: Array) -> Array:
+    """oneᵀ other of tall matrices, whose bits do not depend on threads as BLAS shares work out."""
+    import numpy as np
+
+    return np.asarray(np.einsum("ni,nj->ij", one, other))
+
+
+def _basis(jacobian: Array) -> Array:
+    """Columns of length one at right angles that span the same space, (n, up to k)."""
+    import numpy as np
+
+    _, singular, directions = np.linalg.svd(triangle(jacobian))
+    good = singular > _FLAT * singular[0]
+    return np.asarray(jacobian @ (directions[good].T / singular[good]))
+
+
 def filtered(series: Series, rho: float, variance: float) -> Array:
     """Jᵀ V J, (k, k), with the covariance V = variance ρ^|distance| of the noise."""
     import numpy as np
@@ -174,7 +193,7 @@ def filtered(series: Series, rho: float, variance: float) -> Array:
     smooth = np.fft.irfft(
         np.fft.rfft(spread, padded, axis=0) * kernel[:, np.newaxis], padded, axis=0
     )
-    return np.asarray(variance * (series.jacobian.T @ smooth[series.places]))
+    return variance * products(series.jacobian, smooth[series.places])
 
 
 def blocks(series: Series, count: int) -> Array:

@@ -203,5 +203,6 @@ def _seconds(given: object) -> float | None:
 
 
 def _length(given: Any, measurement: Measurement) -> Any:
-    """A length as given, or as the recording has it."""
-    return measurement.geometry.get("length") if given is None else given
+    """A length as given, or as the recording has it; of a double pendulum, the first."""
+    own = measurement.geometry.get("length" if measurement.bodies == 1 else "l1")
+    return own if given is None else given

@@ -6,7 +6,7 @@ import math
 from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Protocol
 
-from pendula.measured.least_squares import least_squares
+from pendula.measured.least_squares import MOST_STEPS, least_squares
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
@@ -19,6 +19,8 @@ if TYPE_CHECKING:
     from pendula.measured.model import Row
     from pendula.systems import System
 
+_FINE = 1e-10, MOST_STEPS  # relative change of the sum of squares, and steps, where it ends
+_ROUGH = 1e-3, 10
 _LOST = 1e6  # a residual where the motion is not finite
 
 
@@ -39,6 +41,9 @@ class Model(Protocol):
         self, t: Array, states: Array, values: Mapping[str, float], columns: Sequence[str]
     ) -> Array:
         """Derivatives of what is measured by some of the parameters, (n, m, k)."""
+
+    def roughly(self) -> Model:
+        """The same, computed with fewer digits."""
 
     def system(self, values: Mapping[str, float]) -> System | None:
         """The pendulum with these values; None: one of them is unphysical."""
@@ -194,10 +199,9 @@ class Problem:
         return self.of(parts)
 
     def thinned(self, most: int) -> Problem:
-        """The same of every so many samples, at most about this many a recording."""
-        return self.of(
-            [each.taken(slice(None, None, -(-len(each.t) // most))) for each in self.recordings]
-        )
+        """The same of about so many samples a recording at most, computed roughly."""
+        fewer = [each.taken(slice(None, None, -(-len(each.t) // most))) for each in self.recordings]
+        return replace(self, recordings=tuple(fewer), model=self.model.roughly())
 
 
 @dataclass(frozen=True, eq=False)
@@ -216,7 +220,7 @@ class Optimum:
 
 
 def minimise(
-    problem: Problem, start: Array, *, robust: bool = False, precision: float = 1e-10
+    problem: Problem, start: Array, *, robust: bool = False, rough: bool = False
 ) -> Optimum:
     """Least squares from a start, within the bounds.
 
@@ -224,14 +228,15 @@ def minimise(
         problem: what is to be fitted.
         start: (k,), moved into the bounds where it lies outside.
         robust: residuals beyond two standard deviations count less (soft_l1).
-        precision: relative change of the sum of squares at which it ends.
+        rough: end soon: the optimum is a start for another.
     """
     import numpy as np
 
     lower, upper = problem.bounds()
     x = np.clip(start, lower, upper)
     scale = _spread(problem.residuals(x)) if robust else 0.0
-    x, cost = least_squares(problem, x, lower, upper, precision, scale)
+    precision, most = _ROUGH if rough else _FINE
+    x, cost = least_squares(problem, x, lower, upper, precision, scale, most)
     return Optimum(problem.names, x, math.sqrt(cost / len(problem.residuals(x))))
 
 

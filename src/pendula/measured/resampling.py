@@ -61,7 +61,7 @@ def _drawn(problem: Problem, best: Optimum, errors: Errors, seed: int) -> Array:
     for _ in range(_DRAWS):
         parts = zip(problem.recordings, fitted, blocks, strict=True)
         again = problem.of([_again(each, made, long, random) for each, made, long in parts])
-        found.append(minimise(again, best.x, precision=_PRECISION).x)
+        found.append(minimise(again, best.x).x)
     return np.array(found)
 
 

@@ -13,7 +13,7 @@ from pendula.measured.fitted import Fit, FittedRecording
 from pendula.measured.model import FRICTIONS
 from pendula.measured.problem import Optimum, Problem, minimise
 from pendula.measured.resampling import with_other_errors
-from pendula.measured.starts import MOST, ROUGH
+from pendula.measured.starts import MOST
 from pendula.measured.words import Note
 
 if TYPE_CHECKING:
@@ -38,20 +38,10 @@ def result_of(plan: Plan, problem: Problem, best: Optimum, viscous: float) -> Fi
         viscous: residuals that viscous friction leaves, beside a model without friction; otherwise
             those of the model itself [rms].
     """
-    import numpy as np
-
     errors = errors_of(problem, best.x)
     errors = with_other_errors(problem, best, errors, plan.uncertainty, plan.seed)
     correlation = _correlation(errors.covariance)
-    places = problem.places(0)
-    derived = derived_of(
-        problem.free,
-        best.x[places],
-        errors.covariance[np.ix_(places, places)],
-        dict(problem.constants),
-        plan.length,
-        plan.gravity,
-    )
+    derived = _derived(plan, problem, best.x, errors.covariance)
     samples = sum(int(each.there.sum()) for each in problem.recordings)
     worth = errors.effective * math.log(best.rms**2)
     bounds, unphysical = _signs(best, free=plan.signs == "free")
@@ -81,6 +71,16 @@ def result_of(plan: Plan, problem: Problem, best: Optimum, viscous: float) -> Fi
     )
     notes = tuple(_notes(made, errors, viscous))
     return replace(made, notes=notes, flags=tuple(dict.fromkeys(each.key for each in notes)))
+
+
+def _derived(plan: Plan, problem: Problem, x: Array, covariance: Array) -> dict[str, Quantity]:
+    """What follows from the values of the first recording."""
+    import numpy as np
+
+    places = problem.places(0)
+    own = covariance[np.ix_(places, places)]
+    constants = dict(problem.constants)
+    return derived_of(problem.free, x[places], own, constants, plan.length, plan.gravity)
 
 
 def _correlation(covariance: Array) -> Array:
@@ -151,7 +151,7 @@ def _quarters(problem: Problem, best: Optimum, i: int, states: Array) -> Array:
     for quarter, (begin, end) in enumerate(pairwise(edges.tolist())):
         part = problem.of([recording.taken(slice(begin, end))]).thinned(MOST)
         begun = {**values, "theta": states[begin, 0], "omega": states[begin, 1]}
-        found = minimise(part, np.array([begun[name] for name in part.names]), precision=ROUGH)
+        found = minimise(part, np.array([begun[name] for name in part.names]), rough=True)
         whole[quarter, places] = found.x
     return whole
 
@@ -198,7 +198,7 @@ def _notes(made: Fit, errors: Errors, viscous: float) -> list[Note]:
         notes.append(Note("poor", {"share": float(made.rms / spread)}))
     notes += [Note("at_bound", {"name": name}) for name in made.at_bounds]
     notes += [Note("unphysical", {"name": name}) for name in made.unphysical]
-    notes += _untold(made, errors)
+    notes += [*_by_quarters(made), *_untold(made, errors)]
     g = made.derived.get("gravity")
     if g is not None and not _EARTH[0] < g.value < _EARTH[1]:
         beyond = min(abs(g.value - each) for each in _EARTH)
@@ -211,6 +211,15 @@ def _notes(made: Fit, errors: Errors, viscous: float) -> list[Note]:
                 )
             )
     return notes
+
+
+def _by_quarters(made: Fit) -> list[Note]:
+    """How ω0² scatters over quarters of the first recording, which says what the model misses."""
+    quarters = made.recordings[0].quarters
+    if not len(quarters) or "omega0_squared" not in made.parameters:
+        return []
+    values = quarters[:, made.parameters.index("omega0_squared")].tolist()
+    return [Note("quarters", {"values": tuple(f"{each:.6g}" for each in values)})]
 
 
 def _untold(made: Fit, errors: Errors) -> list[Note]:

@@ -15,7 +15,6 @@ if TYPE_CHECKING:
 
 FIRST = 2.5  # periods of the first window
 MOST = 500  # samples of an early fit
-ROUGH = 1e-3  # relative change of the sum of squares at which it ends
 _POOR = 0.3  # of the signal's spread: residuals of a first window that has not been understood
 _FACTORS = (1.0, 0.7, 1.4, 0.5, 2.0)  # of the frequency that are tried there
 _LARGEST = 3.0  # amplitude that a first guess has [rad]
@@ -49,15 +48,23 @@ def first_window(
     first = problem.within(length).thinned(MOST)
     spread = float(np.nanstd(first.recordings[0].values))
     best: Optimum | None = None
-    for factor in _FACTORS:
-        guess = _harmonic(first.recordings[0], model, frequency * factor, constants)
-        found = minimise(first, np.array([guess[name] for name in first.names]), precision=ROUGH)
+    guesses = [_harmonic(first.recordings[0], model, frequency * f, constants) for f in _FACTORS]
+    if model.quantity == "angle":
+        turns = np.ptp(sampled.values[sampled.there[:, 0]]) > 2.0 * math.pi
+        guesses.insert(0 if turns else len(guesses), _by_energy(sampled, constants))
+    for guess in guesses:
+        found = minimise(first, np.array([guess[name] for name in first.names]), rough=True)
         if best is None or found.rms < best.rms:
             best = found
         if best.rms < _POOR * spread:
             break
     assert best is not None
-    return dict(zip(best.names, best.x.tolist(), strict=True)), length
+    values = dict(zip(best.names, best.x.tolist(), strict=True))
+    if "theta" in values and "angle_offset" in values and "scale" not in constants:
+        turns = 2.0 * math.pi * round(values["angle_offset"] / (2.0 * math.pi))
+        values["theta"] += turns  # whole turns are the pendulum's, not the offset's
+        values["angle_offset"] -= turns
+    return values, length
 
 
 def main_frequency(sampled: Sampled) -> float:
@@ -126,6 +133,24 @@ def _by_acceleration(
         "viscous": 0.01 * frequency,
         "sensor_radius": radius,
         "acceleration_offset": 0.0,
+    }
+
+
+def _by_energy(sampled: Sampled, constants: Mapping[str, float]) -> dict[str, float]:
+    """Parameters by the law of energy, ω² = 2 ω0² cos θ + a − b t, whether it swings or turns."""
+    import numpy as np
+
+    there = sampled.there[:, 0]
+    t, y = sampled.t[there] - sampled.t[0], sampled.values[there, 0] / constants.get("scale", 1.0)
+    rates = np.gradient(y, t)
+    basis = np.stack([2.0 * np.cos(y), np.ones_like(t), -t], axis=1)
+    square = float(np.linalg.lstsq(basis, rates**2, rcond=None)[0][0])
+    return {
+        "theta": float(y[0]),
+        "omega": float(rates[:3].mean()),
+        "omega0_squared": max(square, 1e-6),
+        "viscous": 0.0,
+        "angle_offset": 0.0,
     }
 
 

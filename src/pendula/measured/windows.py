@@ -11,7 +11,7 @@ from pendula._checks import extra
 from pendula.measured.double_model import JOINTS, SHAPE, STATE
 from pendula.measured.fitted import Horizon
 from pendula.measured.problem import Optimum, Problem, Sampled, minimise
-from pendula.measured.starts import MOST, ROUGH, main_frequency
+from pendula.measured.starts import MOST, main_frequency
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -95,7 +95,7 @@ def _grown(problem: Problem, *, robust: bool) -> tuple[Array, float]:
     length, followed = _FIRST * 2.0 * math.pi / main_frequency(recording), 0.0
     while followed < span:
         length = min(length, span)
-        found = minimise(problem.within(length).thinned(MOST), x, robust=robust, precision=ROUGH)
+        found = minimise(problem.within(length).thinned(MOST), x, robust=robust, rough=True)
         if found.rms > _LOST and followed > 0.0:
             break
         x, followed = found.x, length

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import tomllib
 from dataclasses import dataclass, field
 from functools import cache
@@ -45,8 +46,7 @@ class Note:
 
 def worded(name: str, language: str = "en") -> str:
     """A name of a parameter, model or part of one in a language."""
-    known = _words(language)["names"]
-    return " + ".join(known.get(part, part) for part in name.split(" + "))
+    return _shown(name, _words(language))
 
 
 @cache
@@ -59,6 +59,16 @@ def _words(language: str) -> dict[str, dict[str, str]]:
 def _shown(value: object, words: Mapping[str, Mapping[str, str]]) -> str:
     if isinstance(value, tuple):
         return words["lists"]["join"].join(_shown(each, words) for each in value)
+    if value == math.inf:
+        return "∞"
     if isinstance(value, float):
         return f"{value:.3g}".replace("-", _MINUS).replace(".", words["lists"]["decimal"])
-    return " + ".join(words["names"].get(part, part) for part in str(value).split(" + "))
+    return " + ".join(_name(part, words["names"]) for part in str(value).split(" + "))
+
+
+def _name(name: str, names: Mapping[str, str]) -> str:
+    """A name in words, with the number of its recording or joint behind it."""
+    plain, bracket, number = name.partition("[")
+    joint = plain[-1:] if plain[-1:] in "12" and plain not in names else ""
+    kind = plain.removesuffix(joint) if joint else plain
+    return " ".join(part for part in (names.get(kind, kind), joint) if part) + bracket + number
