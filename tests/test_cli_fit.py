@@ -156,7 +156,7 @@ def test_corrections_are_chosen_by_name(call: Call) -> None:
 
 def test_real_swing_is_fitted(call: Call) -> None:
     file = real("single_three_runs_semicolon_degrees.csv")
-    printed = quiet(call, f"fit {file} --run 1 --window 0.7s,100s --model viscous")
+    printed = quiet(call, f"fit {file} --run 1 --t 0.7s,100s --model viscous")
     found, error = value(printed, "ω₀² = g/L, or m g c/I")
     assert abs(found - 17.3418) < 3.0 * error < 0.01  # an independent least squares
 

@@ -56,10 +56,10 @@ def test_values_and_plain_errors_are_those_of_scipy() -> None:
 
     theirs, covariance = curve_fit(model, made.t, made.values[:, 0], (0.41, 0.3, 12.1, 0.1, 0.0))
     ours = fit(made, "viscous")
-    order = [ours.parameters.index(n) for n in ("theta", "omega", "omega0_squared", "viscous")]
+    order = [ours.names.index(n) for n in ("theta", "omega", "omega0_squared", "viscous")]
     np.testing.assert_allclose(ours.values[order], theirs[:4], rtol=2e-5)
     np.testing.assert_allclose(
-        ours.plain_errors[order], np.sqrt(np.diagonal(covariance))[:4], rtol=1e-2
+        ours.plain_standard_errors[order], np.sqrt(np.diagonal(covariance))[:4], rtol=1e-2
     )
 
 
@@ -89,8 +89,8 @@ def test_long_swing_has_its_reference_fits(
 
 def test_errors_of_the_long_swing_are_those_of_blocks() -> None:
     found = fit(long_swing(), THREE, signs="free")
-    i = found.parameters.index("omega0_squared")
-    assert found.plain_errors[i] == pytest.approx(0.0006, rel=0.05)
+    i = found.names.index("omega0_squared")
+    assert found.plain_standard_errors[i] == pytest.approx(0.0006, rel=0.05)
     assert 0.004 < found.standard_errors[i] < 0.009  # block bootstrap 0.005, HAC 0.006
     assert 180 < found.n_effective < 250
     assert "structured" in found.flags
@@ -140,7 +140,7 @@ def test_true_values_lie_within_two_standard_errors(correlation: float) -> None:
         frictions = (("viscous",), ("coulomb",), ("quadratic",))[seed % 3]
         made, true = swing(seed, correlation, frictions)
         found = fit(made, frictions)
-        apart = [abs(found[n].value - true[n]) / found[n].standard_error for n in found.parameters]
+        apart = [abs(found[n].value - true[n]) / found[n].standard_error for n in found.names]
         inside += [each <= 2.0 for each in apart]
     assert 0.92 <= np.mean(inside) <= 0.985
 
@@ -150,8 +150,8 @@ def test_plain_errors_are_too_small_where_noise_is_correlated() -> None:
     for seed in range(40):
         made, true = swing(seed, 0.98, ("viscous",))
         found = fit(made, "viscous")
-        i = found.parameters.index("angle_offset")
-        apart.append(abs(found.values[i] - true["angle_offset"]) / found.plain_errors[i])
+        i = found.names.index("angle_offset")
+        apart.append(abs(found.values[i] - true["angle_offset"]) / found.plain_standard_errors[i])
     assert np.mean(np.array(apart) <= 2.0) < 0.5
 
 
@@ -187,7 +187,7 @@ def test_a_record_that_is_no_free_swing_is_told() -> None:
     held = np.concatenate([np.full(150, 0.4), made.values[:850, 0]])
     found = fit(replace(made, values=held[:, np.newaxis]), "viscous")
     assert "poor" in found.flags
-    part = fit(replace(made, values=held[:, np.newaxis]), "viscous", window=(3.0, 20.0))
+    part = fit(replace(made, values=held[:, np.newaxis]), "viscous", t=(3.0, 20.0))
     assert part["omega0_squared"].value == pytest.approx(12.0, abs=2e-3)
 
 
@@ -204,7 +204,7 @@ def test_a_wrong_frame_rate_is_told() -> None:
 
 def test_rate_and_acceleration_tell_the_same_pendulum() -> None:
     made = clean(square=9.81 / 0.8, viscous=0.03, noise=0.0)
-    run = fit(made, "viscous").trajectory()
+    run = fit(made, "viscous").trajectory
     theta, omega = run.theta, run.omega
     noise = 0.01 * np.random.default_rng(2).normal(size=len(theta))
     seen = {
@@ -232,8 +232,8 @@ def test_rate_and_acceleration_tell_the_same_pendulum() -> None:
 def test_several_recordings_share_the_pendulum_and_not_the_start() -> None:
     runs = video_runs()
     found = fit(runs, "viscous")
-    assert found.parameters[:3] == ("omega0_squared", "viscous", "theta[1]")
-    assert "theta[3]" in found.parameters
+    assert found.names[:3] == ("omega0_squared", "viscous", "theta[1]")
+    assert "theta[3]" in found.names
     assert len(found.recordings) == 3
     apart = fit(runs, "viscous", shared=())
     alone = [fit(each, "viscous") for each in runs]
@@ -246,9 +246,9 @@ def test_several_recordings_share_the_pendulum_and_not_the_start() -> None:
 def test_fixed_values_and_windows_are_kept() -> None:
     made = clean(viscous=0.05, coulomb=0.02)
     found = fit(made, "viscous + coulomb", fixed={"coulomb": 0.02, "angle_offset": 0.0})
-    assert found.parameters == ("omega0_squared", "viscous", "theta", "omega")
+    assert found.names == ("omega0_squared", "viscous", "theta", "omega")
     assert found["viscous"].value == pytest.approx(0.05, abs=3 * found["viscous"].standard_error)
-    part = fit(made, "viscous", window=(5.0, 12.0))
+    part = fit(made, "viscous", t=(5.0, 12.0))
     assert part.t[0] == 5.0
     assert part.t[-1] == 12.0
 
@@ -265,7 +265,7 @@ def test_outliers_count_less_where_asked() -> None:
 
 def test_profile_and_bootstrap_agree_with_white_noise() -> None:
     made = clean(viscous=0.05, noise=3e-3)
-    plain = fit(made, "viscous").plain_errors
+    plain = fit(made, "viscous").plain_standard_errors
     for kind, most in (("profile", 0.15), ("bootstrap", 0.35)):
         found = fit(made, "viscous", uncertainty=kind)
         np.testing.assert_allclose(found.standard_errors, plain, rtol=most)
@@ -275,11 +275,11 @@ def test_profile_and_bootstrap_agree_with_white_noise() -> None:
 def test_the_fitted_motion_is_the_trajectory() -> None:
     found = fit(clean(viscous=0.05), "viscous")
     offset = found["angle_offset"].value
-    np.testing.assert_allclose(found.trajectory().theta + offset, found.fitted[:, 0], atol=1e-8)
+    np.testing.assert_allclose(found.trajectory.theta + offset, found.fitted[:, 0], atol=1e-8)
     np.testing.assert_allclose(found.residuals, found.recordings[0].measured - found.fitted)
     unphysical = fit(long_swing(50), THREE, signs="free")
     with pytest.raises(ValueError, match='fit with signs="physical"'):
-        unphysical.trajectory()
+        _ = unphysical.trajectory
 
 
 def test_notes_are_worded_in_both_languages() -> None:

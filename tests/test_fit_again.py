@@ -18,7 +18,7 @@ from test_fit import THREE, long_swing
 
 def test_a_fit_is_made_again_of_its_recipe_to_the_same_bits() -> None:
     made, _ = swing(3, 0.9, ("viscous",))
-    found = fit(made, "viscous", length=(0.8, 0.01), window=(1.0, 9.0))
+    found = fit(made, "viscous", length=(0.8, 0.01), t=(1.0, 9.0))
     recipe = json.loads(json.dumps(found.recipe))
     again = fit(made, **recipe)
     for name in ("values", "standard_errors", "residuals"):

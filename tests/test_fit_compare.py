@@ -84,7 +84,7 @@ def test_air_is_viscous_and_still_water_of_dry_friction_is_not_taken_for_it(seed
 def test_shares_of_energy_are_those_lost() -> None:
     made = clean(seconds=20.0, viscous=0.05, coulomb=0.05, noise=1e-4)
     found = compare_models(made)
-    run = found.best.trajectory(made.t)
+    run = found.best.trajectory
     speed = np.abs(run.omega)
     lost = run.energy[0] - run.energy[-1]
     viscous = found.best["viscous"].value * np.trapezoid(speed**2, made.t) / lost

@@ -48,7 +48,7 @@ def test_windows_with_published_parameters_have_their_reference_residuals(
     i: int, rms: tuple[float, float]
 ) -> None:
     found = fit(window(i), "undamped", geometry=PUBLISHED)
-    assert found.parameters == ("theta1", "theta2", "omega1", "omega2")
+    assert found.names == ("theta1", "theta2", "omega1", "omega2")
     reached = 1e3 * np.sqrt(np.mean(found.residuals**2, axis=0))
     np.testing.assert_allclose(reached, rms, atol=0.06)
     assert found.horizon is not None
@@ -103,8 +103,8 @@ def test_true_values_of_a_chaotic_motion_lie_within_their_errors() -> None:
 def test_windows_have_starts_of_their_own_and_share_the_pendulum() -> None:
     found = fit(window(1), "viscous", windows=0.7)
     assert len(found.recordings) == 4
-    assert found.parameters[:4] == SHAPE
-    assert {"theta1[4]", "omega2[4]"} <= set(found.parameters)
+    assert found.names[:4] == SHAPE
+    assert {"theta1[4]", "omega2[4]"} <= set(found.names)
     assert found.rms < fit(window(1), "viscous").rms
     begins = [each.t[0] for each in found.recordings]
     np.testing.assert_allclose(np.diff(begins), 2.666 / 4, atol=2e-3)
@@ -112,7 +112,7 @@ def test_windows_have_starts_of_their_own_and_share_the_pendulum() -> None:
 
 def test_a_pendulum_with_the_fitted_values_moves_so() -> None:
     found = fit(window(3), "viscous")
-    run = found.trajectory()
+    run = found.trajectory
     np.testing.assert_allclose(run.states[:, :2], found.fitted, atol=1e-7)
 
 

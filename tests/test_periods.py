@@ -63,7 +63,7 @@ def test_stopwatch_table_gives_g() -> None:
 
 def test_stopwatch_table_has_no_offset() -> None:
     fit = fit_periods(stopwatch(), corrections=["offset"])
-    assert fit.parameters == ("gravity", "length_offset")
+    assert fit.names == ("gravity", "length_offset")
     assert within_two_errors(fit, "length_offset", 0.0)
 
 
@@ -132,7 +132,7 @@ def test_error_of_one_length_does_not_fall_with_the_rows() -> None:
 
 def test_the_true_law_of_amplitudes_is_kept() -> None:
     fit = fit_periods(swung(1.0 / 16.0, 0.002, np.random.default_rng(6)), length=0.56)
-    assert fit.parameters == ("period", "amplitude_coefficient", "gravity")
+    assert fit.names == ("period", "amplitude_coefficient", "gravity")
     assert within_two_errors(fit, "amplitude_coefficient", 1.0 / 16.0)
     assert within_two_errors(fit, "period", 1.5)
     assert within_two_errors(fit, "gravity", 4.0 * math.pi**2 * 0.56 / 1.5**2)

@@ -74,10 +74,10 @@ def test_outliers_are_left_out_if_asked(tmp_path: Path) -> None:
 
 def test_windows(tmp_path: Path) -> None:
     content = text("t,theta (rad)", rows(T, SWING))
-    found = measured(tmp_path / "a.csv", content, window=(1, 3))
+    found = measured(tmp_path / "a.csv", content, t=(1, 3))
     assert (found.t[0], found.t[-1], found.t.size) == (1.0, 3.0, 101)
     narrower = found.window(0, 2)
-    assert narrower.reading["window"] == (1.0, 2.0)
+    assert narrower.reading["t"] == (1.0, 2.0)
     same(read(tmp_path / "a.csv", **narrower.reading), narrower)
     assert narrower.notes[-1] == "51 of 101 samples, those from 0 to 2 s."
     without = narrower.without(narrower.t < 1.1)

@@ -65,9 +65,9 @@ ASKED: list[tuple[str, dict[str, Any], str]] = [
     (USUAL, {"time_unit": "m"}, r"^time_unit must be a unit of time, got 'm'; write time_unit=ms$"),
     (USUAL, {"run": 2}, r"^run must be one of 1, got '2'$"),
     (USUAL, {"sheet": "A"}, r"^sheet cannot be 'A': the file has one table only; leave it out$"),
-    (USUAL, {"window": (3, 2)}, r"^window must start before it ends, got \(3.0, 2.0\)$"),
-    (USUAL, {"window": 3}, r"^window must be a start and an end \[s\], got 3$"),
-    (USUAL, {"window": (90, 99)}, r"^window must hold two samples of 0 … 7.98 s, got \(90.0"),
+    (USUAL, {"t": (3, 2)}, r"^t must start before it ends, got \(3.0, 2.0\)$"),
+    (USUAL, {"t": 3}, r"^t must be a start and an end \[s\], got 3$"),
+    (USUAL, {"t": (90, 99)}, r"^t must hold two samples of 0 … 7.98 s, got \(90.0"),
     (
         USUAL,
         {"angle": 2, "rate": 2},

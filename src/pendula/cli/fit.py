@@ -48,7 +48,7 @@ def fit_of(files: Sequence[str], given: dict[str, Any]) -> Fit | Comparison | Pe
     from pendula.measured import read
     from pendula.measured.measurement import PeriodTable
 
-    with renaming(length="length_column", amplitude="amplitude_column"):
+    with renaming(length="length_column", amplitude="amplitude_column", t="kept"):
         measured = [read(file, **reading_of(given)) for file in files]
     tables = [each for each in measured if isinstance(each, PeriodTable)]
     if not tables:

@@ -69,7 +69,7 @@ def reading_options() -> list[click.Parameter]:
         click.Option(
             ["--zero"], type=click.Choice(["down", "up"]), help="where angles are counted from"
         ),
-        click.Option(["--window"], metavar="FROM,TO", help="times that are kept, e.g. 2s,30s"),
+        click.Option(["kept", "--t"], metavar="FROM,TO", help="times that are kept, e.g. 2s,30s"),
         click.Option(
             ["--outliers"], type=click.Choice(["keep", "leave out"]), help="what is done with them"
         ),
@@ -123,10 +123,10 @@ def reading_of(given: dict[str, Any]) -> dict[str, Any]:
             found[name] = quantity_of(given, name)
     if given["run"] is not None and given["run"].isdecimal():
         found["run"] = int(given["run"])
-    if given["window"] is not None:
+    if given["kept"] is not None:
         from pendula.units import quantities
 
-        found["window"] = tuple(quantities(given["window"], "s", "window"))
+        found["t"] = tuple(quantities(given["kept"], "s", "kept"))
     return found
 
 

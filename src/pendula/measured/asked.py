@@ -96,7 +96,7 @@ def sampled(measurement: Measurement, window: object) -> Sampled:
 
     Args:
         measurement: a recording.
-        window: (from, to) [s]; None: all of it.
+        t: (from, to) [s]; None: all of it.
 
     Raises:
         ValueError: for too few samples, or an acceleration or position that is not fitted as such.
@@ -111,7 +111,7 @@ def sampled(measurement: Measurement, window: object) -> Sampled:
     found = Sampled(measurement, np.ascontiguousarray(t[there]), np.array(values[there]))
     if len(found.t) < _FEWEST:
         raise ArgumentError(
-            "measurement" if window is None else "window",
+            "measurement" if window is None else "t",
             "must hold at least {least} samples to be fitted, got {value}",
             least=_FEWEST,
             value=len(found.t),
@@ -131,9 +131,9 @@ def sampled(measurement: Measurement, window: object) -> Sampled:
 
 def _window(window: object) -> tuple[float, float]:
     rule = "must be two rising times (from, to){in_unit}"
-    low, high = number_pair("window", window, rule, "s")
+    low, high = number_pair("t", window, rule, "s")
     if not low < high:
-        raise ArgumentError("window", f"{rule}, got {{value}}", value=window, unit="s")
+        raise ArgumentError("t", f"{rule}, got {{value}}", value=window, unit="s")
     return low, high
 
 

@@ -51,7 +51,7 @@ class Asked:
     swings: int | None = None
     run: str | None = None
     sheet: str | None = None
-    window: tuple[float, float] | None = None
+    t: tuple[float, float] | None = None
     outliers: str = "keep"
     leave_out: tuple[float, ...] = ()
     as_angle: bool = False
@@ -101,11 +101,11 @@ def window_of(value: Any) -> tuple[float, float]:
     Raises:
         ArgumentError: for anything else.
     """
-    start, end = number_pair("window", value, "must be a start and an end [s]", "s")
+    start, end = number_pair("t", value, "must be a start and an end [s]", "s")
     if not start < end:
         rule = "must start before it ends, got {value}"
-        raise ArgumentError("window", rule, value=(start, end))
-    return finite_number("window", start), finite_number("window", end)
+        raise ArgumentError("t", rule, value=(start, end))
+    return finite_number("t", start), finite_number("t", end)
 
 
 def _names(name: str, value: Any) -> tuple[Name, ...]:
@@ -146,6 +146,6 @@ _CHECKS: dict[str, Callable[[str, Any], Any]] = {
     "y_axis": partial(one_of, choices=("up", "down")),
     "zero": partial(one_of, choices=("down", "up")),
     "outliers": partial(one_of, choices=("keep", "leave out")),
-    "window": lambda _, value: window_of(value),
+    "t": lambda _, value: window_of(value),
     "leave_out": _numbers,
 }

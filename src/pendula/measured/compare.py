@@ -115,8 +115,8 @@ class Comparison:
 
         def report(
             self,
-            out: str | PathLike[str],
-            language: str = "en",
+            path: str | PathLike[str],
+            lang: str = "en",
             *,
             title: str = "",
             author: str = "",
@@ -241,7 +241,7 @@ def energy_shares(made: Fit) -> dict[str, float]:
     lost: dict[str, float] = {}
     powers = {"viscous": 2, "coulomb": 1, "quadratic": 3, "cubic": 4}
     for i, recording in enumerate(made.recordings):
-        values = dict(zip(made.parameters, made.values.tolist(), strict=True))
+        values = dict(zip(made.names, made.values.tolist(), strict=True))
         speed = np.abs(recording.rates)
         for name in FRICTIONS:
             strength = values.get(name, values.get(f"{name}[{i + 1}]", 0.0))

@@ -34,7 +34,7 @@ def fit(
     shared: str | Sequence[str] | None = None,
     signs: str = "physical",
     start: Mapping[str, float] | None = None,
-    window: tuple[float, float] | None = None,
+    t: tuple[float, float] | None = None,
     robust: bool = False,
     uncertainty: str = "corrected",
     seed: int = 0,
@@ -61,7 +61,7 @@ def fit(
             the offset.
         signs: "physical": no friction is negative; "free": it may be, and the fit says so.
         start: values to start from, by name, where they are known better than the recording says.
-        window: (from, to), the times that are fitted [s]; None: all.
+        t: (from, to), the times that are fitted [s]; None: all.
         robust: outliers count less.
         uncertainty: "corrected": by the residuals' autocorrelation; "profile": by how the sum of
             squares grows when a parameter is held, the others fitted again; "bootstrap": by fits
@@ -92,7 +92,7 @@ def fit(
         shared=shared,
         signs=signs,
         start=start,
-        window=window,
+        t=t,
         robust=robust,
         uncertainty=uncertainty,
         seed=seed,

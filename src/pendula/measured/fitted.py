@@ -48,7 +48,7 @@ class FittedRecording:
         system: the pendulum with the fitted values; None: one of them is unphysical.
         autocorrelation: of the residuals' noise from one sample to the next, (m,).
         autocorrelation_time: integrated, in samples, 1: independent.
-        quarters: the values of `Fit.parameters` fitted to each quarter of the record alone,
+        quarters: the values of `Fit.names` fitted to each quarter of the record alone,
             (4, k) or (0, k): not fitted; NaN: one that is the whole record's.
     """
 
@@ -64,8 +64,9 @@ class FittedRecording:
     autocorrelation_time: float
     quarters: Array
 
-    def trajectory(self, t: Array | None = None) -> Trajectory:
-        """The fitted motion, at the times of the samples or at others [s].
+    @property
+    def trajectory(self) -> Trajectory:
+        """The fitted motion at the times of the samples; `.at(t)` gives it at others.
 
         Raises:
             ValueError: where the values are unphysical, so that no system has them.
@@ -76,7 +77,7 @@ class FittedRecording:
         if self.system is None:
             rule = "are unphysical: no pendulum of the catalogue has negative friction"
             raise ArgumentError("values", rule, 'fit with <signs="physical">')
-        return solve(self.system, self.start, self.t if t is None else t, t0=float(self.t[0]))
+        return solve(self.system, self.start, self.t, t0=float(self.t[0]))
 
 
 @with_promised
@@ -88,7 +89,7 @@ class Fit:
 
     Attributes:
         model: names of its parts, such as "viscous + coulomb".
-        parameters: names of what was fitted, k of them: "theta", "omega" (the state at the first
+        names: names of what was fitted, k of them: "theta", "omega" (the state at the first
             sample), "omega0_squared", "viscous", "coulomb", "quadratic", "cubic", "angle_offset"
             ...; with several recordings those that are not shared carry the number of theirs,
             "theta[2]".
@@ -96,7 +97,7 @@ class Fit:
         units: SI, of each parameter.
         standard_errors: with the noise's autocorrelation taken into account, (k,); twice as much
             to either side holds the true value with a probability of 95 %, if the model is true.
-        plain_errors: as if the samples were independent, (k,).
+        plain_standard_errors: as if the samples were independent, (k,).
         error_kinds: the others that were computed, by name: "autocorrelation", "blocks",
             "profile", "bootstrap", each (k,).
         covariance: that of `standard_errors`, (k, k).
@@ -123,11 +124,11 @@ class Fit:
     """
 
     model: str
-    parameters: tuple[str, ...]
+    names: tuple[str, ...]
     values: Array
     units: tuple[str, ...]
     standard_errors: Array
-    plain_errors: Array
+    plain_standard_errors: Array
     error_kinds: Mapping[str, Array]
     covariance: Array
     correlation: Array
@@ -148,8 +149,8 @@ class Fit:
 
     def __getitem__(self, name: str) -> Quantity:
         """A parameter, or what is derived of them, by its name."""
-        if name in self.parameters:
-            i = self.parameters.index(name)
+        if name in self.names:
+            i = self.names.index(name)
             value, error = float(self.values[i]), float(self.standard_errors[i])
             return Quantity(value, error, self.units[i])
         return self.derived[name]
@@ -184,16 +185,17 @@ class Fit:
         """The fitted state at the first sample of the first recording, (d,)."""
         return self.recordings[0].start
 
-    def trajectory(self, t: Array | None = None) -> Trajectory:
+    @property
+    def trajectory(self) -> Trajectory:
         """The fitted motion of the first recording; see `FittedRecording.trajectory`."""
-        return self.recordings[0].trajectory(t)
+        return self.recordings[0].trajectory
 
     if TYPE_CHECKING:  # attached by the module that defines it
 
         def report(
             self,
-            out: str | PathLike[str],
-            language: str = "en",
+            path: str | PathLike[str],
+            lang: str = "en",
             *,
             title: str = "",
             author: str = "",

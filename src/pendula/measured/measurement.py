@@ -89,11 +89,11 @@ class Measurement:
         inside = (self.t >= first) & (self.t <= last)
         if inside.sum() < 2:
             rule = f"must hold two samples of {self.t[0]:g} … {self.t[-1]:g} s, got {{value}}"
-            raise ArgumentError("window", rule, value=(first, last))
-        before = self.reading.get("window", (first, last))
-        window = (max(first, before[0]), min(last, before[1]))
+            raise ArgumentError("t", rule, value=(first, last))
+        before = self.reading.get("t", (first, last))
+        kept = (max(first, before[0]), min(last, before[1]))
         note = f"{inside.sum()} of {self.t.size} samples, those from {first:g} to {last:g} s."
-        return self._of(inside, note, window=window)
+        return self._of(inside, note, t=kept)
 
     def outliers(self, threshold: float = 6.0) -> NDArray[Any]:
         """Which samples do not fit between their neighbours; none of them is left out by this.

@@ -49,14 +49,14 @@ class PeriodFit:
     Attributes:
         table: as it was given.
         law: "length" (T² against L) or "amplitude" (T against θ0²).
-        parameters: what was fitted: "gravity" and, if asked for, "length_offset"; or "period", of
+        names: what was fitted: "gravity" and, if asked for, "length_offset"; or "period", of
             small swings, and "amplitude_coefficient", a of T/T0 = 1 + a θ0² + …, with "gravity"
             where the length is known.
         values: (k,) [units].
         units: SI.
         standard_errors: (k,); twice as much to either side holds the true value with a probability
             of 95 % however few the rows are: the plain ones times Student's factor.
-        plain_errors: from the scatter alone, (k,).
+        plain_standard_errors: from the scatter alone, (k,).
         degrees_of_freedom: of the scatter; infinite where the errors were given.
         birge_ratio: √(χ²/ν) of the rows about the law (Birge, Phys. Rev. 40 (1932) 207); where they
             scatter more than their errors say by more than chance, the errors are multiplied by
@@ -69,11 +69,11 @@ class PeriodFit:
 
     table: PeriodTable
     law: str
-    parameters: tuple[str, ...]
+    names: tuple[str, ...]
     values: Array
     units: tuple[str, ...]
     standard_errors: Array
-    plain_errors: Array
+    plain_standard_errors: Array
     degrees_of_freedom: float
     birge_ratio: float
     fitted: Array
@@ -83,16 +83,16 @@ class PeriodFit:
 
     def __getitem__(self, name: str) -> Quantity:
         """A parameter by its name."""
-        i = self.parameters.index(name)
+        i = self.names.index(name)
         return Quantity(float(self.values[i]), float(self.standard_errors[i]), self.units[i])
 
     @property
     def chance(self) -> float:
         """How likely an amplitude coefficient so far from 1/16 is if the law holds; NaN: no fit."""
-        if "amplitude_coefficient" not in self.parameters:
+        if "amplitude_coefficient" not in self.names:
             return math.nan
-        i = self.parameters.index("amplitude_coefficient")
-        away = abs(float(self.values[i]) - LAW) / float(self.plain_errors[i])
+        i = self.names.index("amplitude_coefficient")
+        away = abs(float(self.values[i]) - LAW) / float(self.plain_standard_errors[i])
         return 2.0 * _student_below(-away, self.degrees_of_freedom)
 
     @property
@@ -104,8 +104,8 @@ class PeriodFit:
 
         def report(
             self,
-            out: str | PathLike[str],
-            language: str = "en",
+            path: str | PathLike[str],
+            lang: str = "en",
             *,
             title: str = "",
             author: str = "",
@@ -221,11 +221,11 @@ def _told(
     return PeriodFit(
         table=table,
         law=checked.law,
-        parameters=tuple(names),
+        names=tuple(names),
         values=np.array(values),
         units=tuple(units),
         standard_errors=np.array(plain) * _student_factor(judged.freedom),
-        plain_errors=np.array(plain),
+        plain_standard_errors=np.array(plain),
         degrees_of_freedom=judged.freedom,
         birge_ratio=judged.ratio,
         fitted=line.fitted,

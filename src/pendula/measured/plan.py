@@ -36,7 +36,7 @@ class Plan:
     shared: tuple[str, ...] | None = None
     signs: str = "physical"
     start: Mapping[str, float] = field(default_factory=dict)
-    window: tuple[float, float] | None = None
+    t: tuple[float, float] | None = None
     robust: bool = False
     uncertainty: str = "corrected"
     seed: int = 0
@@ -62,7 +62,7 @@ class Plan:
             "shared": None if self.shared is None else list(self.shared),
             "signs": self.signs,
             "start": dict(self.start),
-            "window": None if self.window is None else list(map(float, self.window)),
+            "t": None if self.t is None else list(map(float, self.t)),
             "robust": self.robust,
             "uncertainty": self.uncertainty,
             "seed": self.seed,
@@ -133,7 +133,7 @@ def planned(measurement: Any, model: Any, **given: Any) -> tuple[Plan, tuple[Sam
     )
     linear, frictions = asked.model_parts(model)
     made = _model(measurements, linear, frictions)
-    rows, window, shared = made.rows, given.get("window"), given.get("shared")
+    rows, t, shared = made.rows, given.get("t"), given.get("shared")
     if isinstance(made, DoubleModel):
         frictions = tuple(name for name in JOINTS if name[:-1] in frictions)
     plan = Plan(
@@ -146,7 +146,7 @@ def planned(measurement: Any, model: Any, **given: Any) -> tuple[Plan, tuple[Sam
         shared=None if shared is None else asked.names_of("shared", shared, rows),
         signs=one_of("signs", given.get("signs", "physical"), asked.SIGNS),
         start=asked.named_values("start", given.get("start"), rows),
-        window=window,
+        t=t,
         robust=flag("robust", given.get("robust", False)),
         uncertainty=one_of(
             "uncertainty", given.get("uncertainty", "corrected"), asked.UNCERTAINTIES
@@ -156,7 +156,7 @@ def planned(measurement: Any, model: Any, **given: Any) -> tuple[Plan, tuple[Sam
         windows=_seconds(given.get("windows")),
         tolerance=positive_number("tolerance", given.get("tolerance", 0.1), "rad"),
     )
-    return plan, tuple(asked.sampled(each, window) for each in measurements)
+    return plan, tuple(asked.sampled(each, t) for each in measurements)
 
 
 def _model(

@@ -50,7 +50,7 @@ def read(
     swings: int | None = None,
     run: Name | None = None,
     sheet: str | None = None,
-    window: tuple[float, float] | None = None,
+    t: tuple[float, float] | None = None,
     outliers: str | None = None,
     leave_out: Sequence[float] | None = None,
     as_angle: bool | None = None,
@@ -88,7 +88,7 @@ def read(
         swings: how many were timed at once.
         run: which of several.
         sheet: which of several, or which file in an archive.
-        window: first and last time that are kept [s].
+        t: first and last time that are kept [s].
         outliers: "keep", or "leave out" those that `Measurement.outliers` shows.
         leave_out: times of samples that are left out [s].
         as_angle: whether positions are turned into angles, as `Measurement.as_angle` does.
@@ -164,8 +164,8 @@ def _narrowed(found: Measurement, asked: Asked) -> Measurement:
     """The samples that are asked for."""
     import numpy as np
 
-    if asked.window is not None:
-        found = found.window(*asked.window)
+    if asked.t is not None:
+        found = found.window(*asked.t)
     if asked.leave_out:
         found = found.without(np.isin(found.t, asked.leave_out))
     if asked.outliers == "leave out":

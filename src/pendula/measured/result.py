@@ -47,11 +47,11 @@ def result_of(plan: Plan, problem: Problem, best: Optimum, viscous: float) -> Fi
     bounds, unphysical = _signs(best, free=plan.signs == "free")
     made = Fit(
         model=plan.name,
-        parameters=best.names,
+        names=best.names,
         values=best.x,
         units=tuple(row.unit for row in problem.rows()),
         standard_errors=errors.standard,
-        plain_errors=errors.plain,
+        plain_standard_errors=errors.plain,
         error_kinds=errors.kinds,
         covariance=errors.covariance,
         correlation=correlation,
@@ -216,9 +216,9 @@ def _notes(made: Fit, errors: Errors, viscous: float) -> list[Note]:
 def _by_quarters(made: Fit) -> list[Note]:
     """How ω0² scatters over quarters of the first recording, which says what the model misses."""
     quarters = made.recordings[0].quarters
-    if not len(quarters) or "omega0_squared" not in made.parameters:
+    if not len(quarters) or "omega0_squared" not in made.names:
         return []
-    values = quarters[:, made.parameters.index("omega0_squared")].tolist()
+    values = quarters[:, made.names.index("omega0_squared")].tolist()
     return [Note("quarters", {"values": tuple(f"{each:.6g}" for each in values)})]
 
 
@@ -229,7 +229,7 @@ def _untold(made: Fit, errors: Errors) -> list[Note]:
         if first == "gravity":
             notes.append(Note("only_ratio"))
             continue
-        i, j = made.parameters.index(first), made.parameters.index(second)
+        i, j = made.names.index(first), made.names.index(second)
         notes.append(
             Note(
                 "alike",
@@ -239,7 +239,7 @@ def _untold(made: Fit, errors: Errors) -> list[Note]:
     for direction in errors.flat:
         names = tuple(
             n
-            for n, d in zip(made.parameters, direction, strict=True)
+            for n, d in zip(made.names, direction, strict=True)
             if abs(d) > 0.1 * abs(direction).max()
         )
         notes.append(Note("flat", {"names": names}))

@@ -68,7 +68,7 @@ def seen(recording: FittedRecording) -> Seen:
     quantity = recording.measurement.quantity
     if quantity == "acceleration":
         raise ArgumentError("recording", "must be of angles or rates, got {value}", value=quantity)
-    model = recording.trajectory()
+    model = recording.trajectory
     is_angle = quantity != "rate"
     own = (model.theta if is_angle else model.omega).reshape(recording.fitted.shape)
     values = np.empty_like(own)

@@ -98,8 +98,8 @@ def compare_methods(fit: Fit, recorded: Seen) -> MethodComparison | None:
     t, start = recorded.t[early], recording.start
     step, t0 = _round_step(period / _STEPS_A_PERIOD), float(t[0])
     runs = {} if recorded.values.ndim > 1 else _closed_forms(fit, recorded, t)
-    runs["model"] = recording.trajectory(t)
-    system = runs["model"].system
+    system = recorded.model.system
+    runs["model"] = solve(system, start, t, t0=t0)
     with np.errstate(over="ignore", invalid="ignore"):
         runs |= {name: solve(system, start, t, name, t0=t0, step=step) for name in METHODS}
     return MethodComparison(t, recorded.values[early], recorded.is_angle, runs, step)

@@ -80,7 +80,7 @@ def period_facts(
 
 def value_rows(fit: Fit, language: str, catalog: Mapping[str, Any]) -> list[list[str]]:
     """Name and rounded value of everything that was fitted, and of what follows from it."""
-    fitted = [(name, fit[name]) for name in fit.parameters]
+    fitted = [(name, fit[name]) for name in fit.names]
     return [
         [_named(name, catalog), with_uncertainty(*each, language=language)]
         for name, each in (*fit.derived.items(), *fitted)
@@ -104,7 +104,7 @@ def period_rows(fit: PeriodFit, language: str, catalog: Mapping[str, Any]) -> li
     """Name and rounded value of everything that was fitted."""
     return [
         [_named(name, catalog), with_uncertainty(*fit[name], language=language)]
-        for name in fit.parameters
+        for name in fit.names
     ]
 
 
@@ -158,10 +158,10 @@ def _spacing(times: Array, numbers: Numbers) -> str:
 
 def _plain_factor(fit: Fit, numbers: Numbers) -> str | None:
     """How much larger the errors are than those of independent samples; None: as large."""
-    known = np.isfinite(fit.plain_errors) & (fit.plain_errors > 0)
+    known = np.isfinite(fit.plain_standard_errors) & (fit.plain_standard_errors > 0)
     if not known.any():
         return None
-    factor = float(np.median(fit.standard_errors[known] / fit.plain_errors[known]))
+    factor = float(np.median(fit.standard_errors[known] / fit.plain_standard_errors[known]))
     return numbers.plain(factor, 2) if factor > 1.1 else None
 
 

@@ -5,13 +5,14 @@ from __future__ import annotations
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from pendula._checks import installed
+from pendula._checks import installed, one_of
 from pendula._late_methods import method_of
 from pendula._version import __version__
 from pendula._writing import replacing
 from pendula.measured.compare import Comparison
 from pendula.measured.fitted import Fit
 from pendula.measured.periods import PeriodFit
+from pendula.measured.words import LANGUAGES
 from pendula.plot.labels import labels
 
 if TYPE_CHECKING:
@@ -48,8 +49,8 @@ class Content(NamedTuple):
 @method_of(PeriodFit)
 def report(
     fit: Fit | Comparison | PeriodFit,
-    out: str | PathLike[str],
-    language: str = "en",
+    path: str | PathLike[str],
+    lang: str = "en",
     *,
     title: str = "",
     author: str = "",
@@ -58,28 +59,28 @@ def report(
     """Write what a fit says as a report that a student can hand in.
 
     Writes report.html (complete in itself), report.pdf, figures/*.svg and data/*.csv. Nothing
-    stands at `out` before all is done.
+    stands at `path` before all is done.
 
     Args:
         fit: of a recording, several models of one, or of a table of periods.
-        out: the folder to make.
-        language: "en" or "es".
+        path: the folder to make.
+        lang: "en" or "es".
         title: of the report; empty: one that says what it is.
         author: who hands it in; empty: nobody is named.
-        overwrite: replace what stands at `out`, once the new report is complete.
+        overwrite: replace what stands at `path`, once the new report is complete.
 
     Returns:
         The folder.
 
     Raises:
         ValueError: for an unknown language.
-        FileExistsError: where `out` exists and `overwrite` is not set.
+        FileExistsError: where `path` exists and `overwrite` is not set.
         MissingExtraError: without the packages of the extra "report".
     """
-    words = labels(language)
+    words = labels(one_of("lang", lang, LANGUAGES))
     for package in ("matplotlib", "typst"):
         installed(package, "report")
-    with replacing(Path(out), overwrite=overwrite) as folder:
+    with replacing(Path(path), overwrite=overwrite) as folder:
         from pendula.study.report import catalogue, write_report
 
         catalog = catalogue(words.language)
@@ -95,7 +96,7 @@ def report(
         folder.mkdir()
         write_pieces(folder, content)
         write_report(folder, facts, {}, main=_MAIN)
-    return Path(out)
+    return Path(path)
 
 
 def content_of(

@@ -46,7 +46,7 @@ def period_tables(fit: PeriodFit) -> dict[str, Columns]:
         "residual [s]": fit.residuals.tolist(),
     }
     values = {
-        "quantity": fit.parameters,
+        "quantity": fit.names,
         "value": fit.values.tolist(),
         "standard uncertainty": fit.standard_errors.tolist(),
         "unit": fit.units,
@@ -67,7 +67,7 @@ def _samples(fit: Fit) -> Columns:
 
 
 def _values(fit: Fit) -> Columns:
-    named = {name: fit[name] for name in (*fit.derived, *fit.parameters)}
+    named = {name: fit[name] for name in (*fit.derived, *fit.names)}
     value, error, unit = zip(*named.values(), strict=True)
     return {
         "quantity": list(named),
