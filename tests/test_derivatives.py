@@ -50,6 +50,28 @@ def test_the_matrix_of_the_double_pendulum(case: dict[str, Any]) -> None:
         assert np.abs(found - want).max() / size < allowed
 
 
+@pytest.mark.parametrize("case", STORED["double"], ids=lambda case: case["name"])
+def test_the_matrix_through_lanes(case: dict[str, Any]) -> None:
+    """Where the series of the variations is worked out by hand, and each column for itself."""
+    system, t = double_of(case["system"]), [float(each["t"]) for each in case["values"]]
+    many = ensemble(system, [case["state"]] * 5, t, derivatives="state")
+    plain = ensemble(system, [case["state"]] * 5, t)
+    column = ensemble(system, [case["state"]], t, derivatives="omega1")
+    assert many.derivatives is not None
+    assert column.derivatives is not None
+    assert np.array_equal(many.states, plain.states)
+    assert np.array_equal(many.n_steps, plain.n_steps)
+    assert np.all(many.derivatives == many.derivatives[0])
+    assert np.array_equal(column.derivatives[0, :, :, 0], many.derivatives[0, :, :, 2])
+    for time, found, stored in zip(t, many.derivatives[0], case["values"], strict=True):
+        want = np.array(stored["phi"], dtype=float)
+        size = np.abs(want).max()
+        if size > 1e11:
+            break
+        allowed = 1e-12 if time <= 2.0 else 1e-11 + 200 * 2.0**-53 * size
+        assert np.abs(found - want).max() / size < allowed
+
+
 @pytest.mark.parametrize("case", STORED["simple"], ids=lambda case: case["name"])
 def test_the_matrix_of_the_simple_pendulum(case: dict[str, Any]) -> None:
     system = SimplePendulum(case["system"]["length"], case["system"]["gravity"])

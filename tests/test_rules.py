@@ -182,7 +182,7 @@ def test_both_languages_say_the_same_with_the_same_values(rule: str) -> None:
 
 def test_a_run_of_doubles_refuses_digits() -> None:
     """Which the package makes by runs of many digits."""
-    many = _core.ensemble(asked(digits=9), np.zeros((3, 2)), np.zeros((1, 3)), 1, None)
+    many = _core.ensemble(asked(digits=9), np.zeros((3, 2)), np.zeros((1, 3)), [], 1, None)
     for result in (_core.solve(asked(digits=9), None), many):
         assert result.refused is not None
         assert (result.refused.rule, result.refused.argument) == ("not_of_doubles", "digits")
@@ -287,7 +287,7 @@ def test_the_core_itself_refuses_a_method_that_does_not_take_the_system(
     one = _core.Request(
         system._description(), method.name, rest, 0.0, np.array([1.0]), **control(method)
     )
-    many = _core.ensemble(one, np.tile(rest, (3, 1)), np.zeros((1, 0)), 1, None)
+    many = _core.ensemble(one, np.tile(rest, (3, 1)), np.zeros((1, 0)), [], 1, None)
     for result in (_core.solve(one, None), many):
         assert result.refused is not None
         assert result.refused.rule == rule

@@ -3,6 +3,7 @@
 
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/tuple.h>
+#include <nanobind/stl/vector.h>
 
 #include <array>
 
@@ -59,6 +60,16 @@ bool exact(const system_description& of, const matrix_in& states, const array_in
     return outcome != exact_outcome::stopped;
   });
   return outcome == exact_outcome::complete;
+}
+
+array_out exact_derivatives(const system_description& of, const array_in& state, const array_in& t, double t0,
+                            const std::vector<std::size_t>& columns) {
+  if (state.shape(0) != 2) throw nb::value_error("a state must have two components");
+  new_array out({t.shape(0), 2, columns.size()});
+  complete([&, form = closed_form_of(of)](const auto& watch) {
+    return form.derivatives(of.parameters.data(), state.data(), span_of(t), t0, columns, out.data, watch);
+  });
+  return out.array;
 }
 
 array_out periods(const system_description& of, const matrix_in& states) {
@@ -133,6 +144,8 @@ void bind_closed_forms(nb::module_& m) {
   m.attr("most_half_periods") = pendula::most_half_periods;
   m.def("exact", &exact, "description"_a, "states"_a, "t"_a, "t0"_a, "out"_a,
         "States (m, n, 2) at times t (n,) from states (m, 2) at t0, into `out`; false where one is too large.");
+  m.def("exact_derivatives", &exact_derivatives, "description"_a, "state"_a, "t"_a, "t0"_a, "columns"_a,
+        "Derivatives (n, 2, columns) at times t (n,) of the motion from a state (2,) at t0.");
   m.def("periods", &periods, "description"_a, "states"_a, "Periods of states (m, 2) [s].");
   m.def("actions", &actions, "description"_a, "states"_a, "Actions of states (m, 2) [J s].");
   m.def("times_at", &times_at, "description"_a, "states"_a, "theta"_a,

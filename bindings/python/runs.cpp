@@ -15,6 +15,7 @@
 #include "pendula/kernels/horizon.hpp"
 #include "pendula/kernels/long_runs.hpp"
 #include "pendula/kernels/solve.hpp"
+#include "pendula/kernels/variations.hpp"
 #include "request.hpp"
 
 using namespace pendula_python;
@@ -72,13 +73,33 @@ array_out dense_at(const dense_output& dense, const array_in& times, std::size_t
 }
 
 ensemble_result ensemble(const request& asked, const matrix_in& states, const matrix_in& parameters,
-                         std::size_t threads, nb::object progress) {
+                         const std::vector<std::size_t>& columns, std::size_t threads, nb::object progress) {
   const pendula::ensemble_rows rows{span_of(states), span_of(parameters), states.shape(0), states.shape(1),
                                     parameters.shape(0) == 1 ? 0 : parameters.shape(1)};
   const auto watch = watching(std::move(progress));
   auto result = released([&] {
     const auto workers = pendula::threads(threads);
-    return pendula::run_ensemble(asked, rows, *workers, watch);
+    return pendula::run_ensemble(asked, rows, columns, *workers, watch);
+  });
+  if (result.interrupted) throw nb::python_error();
+  return result;
+}
+
+ensemble_result varied(const request& asked, std::string_view use, const matrix_in& variations, const matrix_in& states,
+                       const matrix_in& parameters, std::size_t threads, nb::object progress) {
+  const std::string_view uses[] = {"free", "megno", "orthogonal"};
+  const auto found = std::ranges::find(uses, use);
+  const std::size_t count = variations.shape(0), d = states.shape(1);
+  const bool as_many = count >= 1 && count <= std::min(d, pendula::most_variations) && variations.shape(1) == d;
+  if (found == std::end(uses) || !as_many || pendula::check(asked)) throw nb::value_error("no such variations");
+  const auto given = span_of(variations);
+  const pendula::varied_by by{static_cast<pendula::variation_use>(found - uses), count, {given.begin(), given.end()}};
+  const pendula::ensemble_rows rows{span_of(states), span_of(parameters), states.shape(0), d,
+                                    parameters.shape(0) == 1 ? 0 : parameters.shape(1)};
+  const auto watch = watching(std::move(progress));
+  auto result = released([&] {
+    const auto workers = pendula::threads(threads);
+    return pendula::run_varied(asked, by, rows, *workers, watch);
   });
   if (result.interrupted) throw nb::python_error();
   return result;
@@ -118,22 +139,6 @@ run_derivatives derivatives(const request& asked, const array_in& outputs, const
   return result;
 }
 
-array_out derivatives_of_ensemble(const request& asked, const matrix_in& states, const matrix_in& parameters,
-                                  const std::vector<std::size_t>& columns, std::size_t threads, nb::object progress) {
-  const pendula::ensemble_rows rows{span_of(states), span_of(parameters), states.shape(0), states.shape(1),
-                                    parameters.shape(0) == 1 ? 0 : parameters.shape(1)};
-  const auto watch = watching(std::move(progress));
-  const auto found = released([&] {
-    const auto workers = pendula::threads(threads);
-    return pendula::ensemble_derivatives(asked, rows, columns, *workers, watch);
-  });
-  new_array all({states.shape(0), asked.times.size(), states.shape(1), columns.size()});
-  const std::size_t count = states.shape(0) * asked.times.size() * states.shape(1) * columns.size();
-  if (found.size() != count) throw nb::python_error();
-  std::ranges::copy(found, all.data);
-  return all.array;
-}
-
 void bind_derivatives(nb::module_& m) {
   nb::class_<crossing_derivatives>(m, "CrossingDerivatives", "How times and states of an event change.")
       .def(
@@ -158,8 +163,6 @@ void bind_derivatives(nb::module_& m) {
       .def_prop_ro("events", [](const run_derivatives& r) { return &r.events; }, nb::rv_policy::reference_internal);
   m.def("derivatives", &derivatives, "request"_a, "outputs"_a, "columns"_a, "progress"_a.none(),
         "Of the run, at output times of its own, by components of the start and, from their count on, parameters.");
-  m.def("ensemble_derivatives", &derivatives_of_ensemble, "request"_a, "states"_a, "parameters"_a, "columns"_a,
-        "threads"_a, "progress"_a.none(), "The same of the runs of `ensemble`, (n, m, d, columns).");
 }
 
 void bind_balance(nb::module_& m) {
@@ -250,14 +253,26 @@ void bind_runs(nb::module_& m) {
             return view(r, r.states, {r.ended.size(), m, d});
           },
           "times"_a, "dimension"_a, "(n, m, d) [rad, rad/s]; NaN where a run did not come so far.")
+      .def(
+          "derivatives",
+          [](const ensemble_result& r, std::size_t m, std::size_t d, std::size_t columns) {
+            return view(r, r.derivatives, {r.ended.size(), m, d, columns});
+          },
+          "times"_a, "dimension"_a, "columns"_a, "Of the states, (n, m, d, columns).")
       .def_prop_ro(
           "events", [](const ensemble_result& r) { return &r.events; }, nb::rv_policy::reference_internal)
       .def_prop_ro(
           "trust_horizon", [](const ensemble_result& r) { return view(r, r.trust_horizon, {r.trust_horizon.size()}); },
           "(n,) [s]; empty: not asked.");
   m.def("solve", &solve, "request"_a, "progress"_a.none(), "The run that is asked for, checked.");
-  m.def("ensemble", &ensemble, "request"_a, "states"_a, "parameters"_a, "threads"_a, "progress"_a.none(),
-        "The runs from states (n, d) with parameters (n, p), or (1, p) for all, in place of the request's own.");
+  m.def(
+      "ensemble", &ensemble, "request"_a, "states"_a, "parameters"_a, "columns"_a, "threads"_a, "progress"_a.none(),
+      "The runs from states (n, d) with parameters (n, p), or (1, p) for all, in place of the request's own, and their "
+      "derivatives by components of the start and, from their count on, parameters.");
+  m.def("varied", &varied, "request"_a, "use"_a, "variations"_a, "states"_a, "parameters"_a, "threads"_a,
+        "progress"_a.none(),
+        "The runs from states (n, d) with variations (k, d), "
+        "free, for the MEGNO of the one, or made orthogonal; `states` tells of them, too.");
   m.def("trust_horizon", &trust_horizon, "request"_a, "progress"_a.none(),
         "The trust horizon of a run that reached its end; infinite: not within the run.");
   m.def("outcomes", &outcome_names, nb::sig("def outcomes() -> list[str]"), "How runs end, by number.");

@@ -104,9 +104,9 @@ pack<double, 4> four_from(std::span<const double> from, std::size_t i) {
 
 std::span<const closed_form> closed_forms() {
   static constexpr closed_form all[] = {
-      {linear_pendulum::name, solve<true>, period_of_linear, action_of_linear, time_of_linear},
-      {simple_pendulum::name, solve<false>, period_of_simple, action_of_simple, time_of_simple},
-      {driven_linear_pendulum::name, solve_driven_linear, nullptr, nullptr, nullptr}};
+      {linear_pendulum::name, solve<true>, derivatives_of_linear, period_of_linear, action_of_linear, time_of_linear},
+      {simple_pendulum::name, solve<false>, derivatives_of_simple, period_of_simple, action_of_simple, time_of_simple},
+      {driven_linear_pendulum::name, solve_driven_linear, derivatives_of_driven_linear, nullptr, nullptr, nullptr}};
   return all;
 }
 

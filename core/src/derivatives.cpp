@@ -13,7 +13,11 @@ struct gatherer final : derivative_receiver {
   gatherer(const request& asked, run_derivatives& to, std::size_t columns, const watcher& watch)
       : asked(asked), to(to), columns(columns), watch(watch), events_told(asked.events.size()) {}
 
-  void output(const double* changes) override { put(to.states, outputs_told++, asked.state.size(), changes); }
+  void output(const derived_step& step, double tau) override {
+    std::vector<double> values(asked.state.size()), changes(asked.state.size() * lanes_of_changes);
+    step.at(tau, values.data(), changes.data());
+    put(to.states, outputs_told++, asked.state.size(), changes.data());
+  }
   void event(int place, const double* of_time, const double* of_state) override {
     crossing_derivatives& mine = to.events[static_cast<std::size_t>(place)];
     const std::size_t row = events_told[static_cast<std::size_t>(place)]++;
@@ -53,13 +57,13 @@ run_derivatives derivatives_of(const request& asked, std::span<const double> out
     const auto some = columns.subspan(to.first, std::min(lanes_of_changes, columns.size() - to.first));
     to.outputs_told = 0;
     std::ranges::fill(to.events_told, 0);
-    for (std::size_t i = 0; i < outputs.size() && outputs[i] == asked.t0; ++i) {
-      std::vector<double> of_start(asked.state.size() * lanes_of_changes);
-      for (std::size_t column = 0; column < some.size(); ++column)
-        if (some[column] < asked.state.size()) of_start[some[column] * lanes_of_changes + column] = 1.0;
-      to.output(of_start.data());
-    }
-    if (asked.end() != asked.t0) best_derivative_kernel().run(asked, outputs, some, to);
+    std::vector<double> changes((asked.state.size() + asked.system.parameters.size()) * lanes_of_changes);
+    for (std::size_t column = 0; column < some.size(); ++column)
+      changes[some[column] * lanes_of_changes + column] = 1.0;
+    std::size_t at_start = 0;
+    for (; at_start < outputs.size() && outputs[at_start] == asked.t0; ++at_start)
+      to.put(result.states, to.outputs_told++, asked.state.size(), changes.data());
+    if (asked.end() != asked.t0) best_derivative_kernel().run(asked, outputs.subspan(at_start), changes, to);
   }
   result.interrupted = !to.going_on;
   return result;

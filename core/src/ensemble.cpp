@@ -7,7 +7,8 @@
 
 #include "pendula/kernels/check.hpp"
 #include "pendula/kernels/horizon.hpp"
-#include "pendula/kernels/lanes_kernels.hpp"
+#include "pendula/kernels/variations.hpp"
+#include "pendula/system/double_pendulum.hpp"
 
 namespace pendula {
 
@@ -142,49 +143,117 @@ bool find_horizons(const request& asked, const ensemble_rows& rows, pool& worker
   });
 }
 
-}  // namespace
-
-std::vector<double> ensemble_derivatives(const request& asked, const ensemble_rows& rows,
-                                         std::span<const derived_by> columns, pool& workers, const watcher& watch) {
+// The derivatives of the runs one by one; false where `watch` ended them.
+bool find_derivatives(const request& asked, const ensemble_rows& rows, std::span<const derived_by> columns,
+                      pool& workers, const watcher& watch, ensemble_result& result) {
   const std::size_t of_one = asked.times.size() * rows.dimension * columns.size();
-  std::vector<double> all(rows.count * of_one, std::numeric_limits<double>::quiet_NaN());
+  result.derivatives.assign(rows.count * of_one, std::numeric_limits<double>::quiet_NaN());
   request alone = asked;
   alone.events.clear();
-  const bool complete = workers.share_out(rows.count, watch, [&](std::size_t, shared_work& work) {
+  return workers.share_out(rows.count, watch, [&](std::size_t, shared_work& work) {
     request one = alone;
     for (std::size_t n; (n = work.next()) != no_more_work; work.done()) {
       take_row(rows, n, one);
       const watcher going_on = [&](double) { return work.go_on(); };
       const auto found = derivatives_of(one, one.times, columns, going_on);
-      std::ranges::copy(found.states, all.begin() + static_cast<std::ptrdiff_t>(n * of_one));
+      std::ranges::copy(found.states, result.derivatives.begin() + static_cast<std::ptrdiff_t>(n * of_one));
     }
   });
-  return complete ? all : std::vector<double>{};
 }
 
-ensemble_result run_ensemble(const request& asked, const ensemble_rows& rows, pool& workers, const watcher& watch) {
+// Room for n runs with so many numbers at each output.
+ensemble_result room_for(std::size_t n, std::size_t outputs, std::size_t size) {
   ensemble_result result;
-  result.refused = check_of_doubles(asked);
-  if (!result.refused) result.refused = check_rows(asked, rows);
-  if (result.refused) return result;
-  const std::size_t n = rows.count, outputs = asked.times.size();
   result.ended.resize(n);
   result.steps.resize(n);
   result.evaluations.resize(n);
   result.reached.resize(n);
-  result.states.assign(n * outputs * rows.dimension, std::numeric_limits<double>::quiet_NaN());
+  result.states.assign(n * outputs * size, std::numeric_limits<double>::quiet_NaN());
+  return result;
+}
+
+// Derivatives by components of the start are variations, which go through lanes.
+ensemble_result run_with_variations(const request& asked, const ensemble_rows& rows,
+                                    std::span<const derived_by> columns, pool& workers, const watcher& watch) {
+  const std::size_t d = rows.dimension, k = columns.size();
+  varied_by by{variation_use::free, k, std::vector<double>(k * d)};
+  for (std::size_t column = 0; column < k; ++column) by.start[column * d + columns[column]] = 1.0;
+  ensemble_result result = run_varied(asked, by, rows, workers, watch);
+  const std::size_t size = by.output_size(d), places = result.states.size() / size;
+  const std::vector<double> told = std::move(result.states);
+  result.states.resize(places * d);
+  result.derivatives.resize(places * d * k);
+  for (std::size_t place = 0; place < places; ++place) {
+    const double* const from = told.data() + place * size;
+    std::copy_n(from, d, result.states.begin() + static_cast<std::ptrdiff_t>(place * d));
+    for (std::size_t column = 0; column < k; ++column) {
+      const double* const variation = from + d + (d + 1) * column;
+      for (std::size_t i = 0; i < d; ++i) {
+        double& derivative = result.derivatives[(place * d + i) * k + column];
+        derivative = variation[i];
+        for (double times = 0.0; times < variation[d]; ++times) derivative *= taken_off;
+      }
+    }
+  }
+  return result;
+}
+
+bool are_variations(const request& asked, const ensemble_rows& rows, std::span<const derived_by> columns) {
+  const bool in_lanes = asked.system.name == double_pendulum::name && asked.events.empty();
+  return !columns.empty() && in_lanes && !asked.options.certify && asked.end() != asked.t0 &&
+         std::ranges::all_of(columns, [&](derived_by column) { return column < rows.dimension; });
+}
+
+ensemble_result run_apart(const request& asked, const ensemble_rows& rows, std::span<const derived_by> columns,
+                          pool& workers, const watcher& watch) {
+  const std::size_t n = rows.count, outputs = asked.times.size();
+  ensemble_result result = room_for(n, outputs, rows.dimension);
   const bool certified = asked.options.certify.has_value();
-  const watcher of_runs = certified ? part_of(watch, 0.0, plain_share) : watch;
+  const double plain = certified ? plain_share : columns.empty() ? 1.0 : derived_share;
   std::vector<std::vector<worker>> used(workers.workers());
-  const bool complete = workers.share_out(n, of_runs, [&](std::size_t i, shared_work& work) {
+  const bool complete = workers.share_out(n, part_of(watch, 0.0, plain), [&](std::size_t i, shared_work& work) {
     run_share(asked, rows, used[i].emplace_back(work, result, outputs, rows.dimension));
   });
   std::vector<worker> all;
   for (auto& each : used) std::ranges::move(each, std::back_inserter(all));
   result.events = by_event(all, asked.events.size(), rows.dimension);
-  result.interrupted =
-      !complete || (certified && !find_horizons(asked, rows, workers, part_of(watch, plain_share, 1.0), result));
+  const double horizons = columns.empty() ? 1.0 : certified ? 0.9 : plain;
+  const watcher of_horizons = part_of(watch, plain, horizons), of_derivatives = part_of(watch, horizons, 1.0);
+  result.interrupted = !complete || (certified && !find_horizons(asked, rows, workers, of_horizons, result)) ||
+                       (!columns.empty() && !find_derivatives(asked, rows, columns, workers, of_derivatives, result));
   return result;
+}
+
+}  // namespace
+
+ensemble_result run_varied(const request& asked, const varied_by& by, const ensemble_rows& rows, pool& workers,
+                           const watcher& watch) {
+  const std::size_t size = by.output_size(rows.dimension), outputs = asked.times.size();
+  ensemble_result result = room_for(rows.count, outputs, size);
+  result.interrupted = !workers.share_out(rows.count, watch, [&](std::size_t, shared_work& work) {
+    worker to(work, result, outputs, size);
+    if (variation_kernel_for(rows.count).run(asked, by, rows, to)) return;
+    request one = asked;
+    one.events.clear();
+    for (std::size_t n; (n = to.next()) != no_more_work;) {
+      take_row(rows, n, one);
+      vary_alone(one, by, to, n);
+    }
+  });
+  return result;
+}
+
+ensemble_result run_ensemble(const request& asked, const ensemble_rows& rows, std::span<const derived_by> columns,
+                             pool& workers, const watcher& watch) {
+  auto refused = check_of_doubles(asked);
+  if (!refused) refused = check_rows(asked, rows);
+  if (refused) {
+    ensemble_result result;
+    result.refused = refused;
+    return result;
+  }
+  if (are_variations(asked, rows, columns)) return run_with_variations(asked, rows, columns, workers, watch);
+  return run_apart(asked, rows, columns, workers, watch);
 }
 
 }  // namespace pendula

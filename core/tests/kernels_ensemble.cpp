@@ -64,7 +64,7 @@ void check_run(const ensemble_result& all, std::size_t n, const run_result& alon
 
 void check_ensemble(const request& asked, const table& runs) {
   for (auto& workers : {caller_alone(), threads(3)}) {
-    const ensemble_result all = run_ensemble(asked, runs.rows(), *workers, always);
+    const ensemble_result all = run_ensemble(asked, runs.rows(), {}, *workers, always);
     BOOST_TEST((!all.refused && !all.interrupted));
     for (std::size_t n = 0; n < runs.count; ++n)
       BOOST_TEST_CONTEXT("run " << n << " of " << workers->workers() << " workers") {
@@ -110,7 +110,7 @@ BOOST_AUTO_TEST_CASE(what_goes_wrong_with_one_run_leaves_the_others_alone) {
       runs.states[4 * runs.dimension] = 0x1p27;  // beyond the sine's range
       runs.states[5 * runs.dimension + 1] = std::numeric_limits<double>::quiet_NaN();
       const auto workers = threads(2);
-      const ensemble_result all = run_ensemble(asked, runs.rows(), *workers, always);
+      const ensemble_result all = run_ensemble(asked, runs.rows(), {}, *workers, always);
       for (std::size_t n = 0; n < runs.count; ++n) {
         BOOST_TEST(name_of(all.ended[n]) == (n == 4 || n == 5 ? "not_finite" : "reached_end"), n);
         if (n != 5) check_run(all, n, solve(runs.alone(asked, n), always), asked.times.size(), runs.dimension);
@@ -128,7 +128,7 @@ BOOST_AUTO_TEST_CASE(horizons_of_an_ensemble_are_those_of_its_runs) {
     asked.options.certify = 1e-13;
     const table runs(asked, 5);
     const auto workers = threads(2);
-    const ensemble_result all = run_ensemble(asked, runs.rows(), *workers, always);
+    const ensemble_result all = run_ensemble(asked, runs.rows(), {}, *workers, always);
     for (std::size_t n = 0; n < runs.count; ++n)
       BOOST_TEST((all.trust_horizon[n] == solve(runs.alone(asked, n), always).trust_horizon), n);
   }
@@ -140,13 +140,13 @@ BOOST_AUTO_TEST_CASE(an_ensemble_is_refused_or_interrupted_as_a_whole) {
     request wrong = asked;
     wrong.options.step = {};
     const table runs(asked, 4);
-    const ensemble_result none = run_ensemble(wrong, runs.rows(), *workers, always);
+    const ensemble_result none = run_ensemble(wrong, runs.rows(), {}, *workers, always);
     BOOST_TEST_REQUIRE(none.refused.has_value());
     BOOST_TEST(none.refused->rule == "step_needed");
     BOOST_TEST((none.states.empty() && none.ended.empty()));
     request endless = asked;
     endless.times = {1e7};
-    const ensemble_result stopped = run_ensemble(endless, runs.rows(), *workers, never);
+    const ensemble_result stopped = run_ensemble(endless, runs.rows(), {}, *workers, never);
     BOOST_TEST(stopped.interrupted);
     for (const double reached : stopped.reached) BOOST_TEST(reached < 1e7);
   }
@@ -158,7 +158,7 @@ BOOST_AUTO_TEST_CASE(an_ensemble_has_its_outputs_at_the_times_alone) {
   asked.times = {1.0};
   const table runs(asked, 3);
   const auto workers = caller_alone();
-  const ensemble_result all = run_ensemble(asked, runs.rows(), *workers, always);
+  const ensemble_result all = run_ensemble(asked, runs.rows(), {}, *workers, always);
   BOOST_TEST((all.refused || all.states.size() == runs.count * runs.dimension));
 }
 

@@ -18,6 +18,7 @@
 #include "pendula/exact/incomplete_F.hpp"
 #include "pendula/exact/linear.hpp"
 #include "pendula/exact/simple_times.hpp"
+#include "variation_bits.hpp"
 
 using namespace pendula;
 
@@ -226,20 +227,37 @@ std::uint64_t hash_of_real() {
   return all.value;
 }
 
+// Derivatives: variations in lanes, and numbers that carry theirs.
+template <class S>
+std::uint64_t hash_of_derivatives() {
+  hash all;
+  const auto add = [&](const std::vector<std::vector<double>>& numbers) {
+    for (const auto& each : numbers)
+      for (double x : each) all.add(x);
+  };
+  add(varied_runs<of_machine<S>, 1, variation_use::megno>());
+  add(varied_runs<of_machine<S>, 2, variation_use::free>());
+  add(varied_runs<of_machine<S>, 4, variation_use::orthogonal>());
+  add({derived_run<driven_pendulum>(20.0), derived_run<double_pendulum>(5.0)});
+  return all.value;
+}
+
 // How many lanes are hashed: each number of them takes long to compile.
 #ifndef PENDULA_LANES
 #define PENDULA_LANES 1, 2, 4, 8
 #endif
 
 template <int... width>
-std::vector<std::array<std::uint64_t, 2>> hashes(std::integer_sequence<int, width...>) {
-  const auto of = []<class S>(S) { return std::array{hash_of_ideal<S>(), hash_of_real<S>()}; };
+std::vector<std::array<std::uint64_t, 3>> hashes(std::integer_sequence<int, width...>) {
+  const auto of = []<class S>(S) {
+    return std::array{hash_of_ideal<S>(), hash_of_real<S>(), hash_of_derivatives<S>()};
+  };
   return {of(std::conditional_t<width == 1, double, pack<double, width == 1 ? 2 : width>>{})...};
 }
 
 }  // namespace
 
-// Of the ideal systems and of those with friction and drive.
+// Of the ideal systems, of those with friction and drive, and of derivatives.
 int main(int count, char** arguments) {
   const std::vector<int> widths{PENDULA_LANES};
   const auto found = hashes(std::integer_sequence<int, PENDULA_LANES>{});
@@ -247,9 +265,9 @@ int main(int count, char** arguments) {
   std::string expected;
   if (count > 1) std::getline(std::ifstream(arguments[1]), expected);
   for (std::size_t i = 0; i < found.size(); ++i) {
-    char text[34];
-    std::snprintf(text, sizeof text, "%016llx %016llx", static_cast<unsigned long long>(found[i][0]),
-                  static_cast<unsigned long long>(found[i][1]));
+    char text[51];
+    std::snprintf(text, sizeof text, "%016llx %016llx %016llx", static_cast<unsigned long long>(found[i][0]),
+                  static_cast<unsigned long long>(found[i][1]), static_cast<unsigned long long>(found[i][2]));
     std::printf("%d lanes: %s\n", widths[i], text);
     same = same && (count > 1 ? text == expected : found[i] == found[0]);
   }

@@ -6,6 +6,7 @@ import importlib.util
 import json
 import math
 import operator
+import os
 from typing import TYPE_CHECKING, Any
 
 from pendula._given import doubles, plain
@@ -206,6 +207,16 @@ def counted(name: str, value: object, most: int) -> int:
 def check_threads(threads: object) -> int | None:
     """A number of threads; None: whoever runs them chooses it."""
     return None if threads is None else whole_number("threads", threads, MOST_THREADS)
+
+
+def checked_threads(threads: object) -> int:
+    """How many threads: those asked for, or one for each processor that this process may use."""
+    asked = check_threads(threads)
+    if asked is not None:
+        return asked
+    if hasattr(os, "sched_getaffinity"):
+        return len(os.sched_getaffinity(0))
+    return os.cpu_count() or 1
 
 
 def flag(name: str, value: object) -> bool:

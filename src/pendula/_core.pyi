@@ -234,9 +234,6 @@ def derivatives(request: Request, outputs: Annotated[NDArray[numpy.float64], dic
     Of the run, at output times of its own, by components of the start and, from their count on, parameters.
     """
 
-def ensemble_derivatives(request: Request, states: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], parameters: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], columns: Sequence[int], threads: int, progress: object | None) -> NDArray[numpy.float64]:
-    """The same of the runs of `ensemble`, (n, m, d, columns)."""
-
 class EnsembleResult:
     """What came of many runs."""
 
@@ -263,6 +260,9 @@ class EnsembleResult:
     def states(self, times: int, dimension: int) -> NDArray[numpy.float64]:
         """(n, m, d) [rad, rad/s]; NaN where a run did not come so far."""
 
+    def derivatives(self, times: int, dimension: int, columns: int) -> NDArray[numpy.float64]:
+        """Of the states, (n, m, d, columns)."""
+
     @property
     def events(self) -> list[Crossings]: ...
 
@@ -273,9 +273,14 @@ class EnsembleResult:
 def solve(request: Request, progress: object | None) -> RunResult:
     """The run that is asked for, checked."""
 
-def ensemble(request: Request, states: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], parameters: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], threads: int, progress: object | None) -> EnsembleResult:
+def ensemble(request: Request, states: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], parameters: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], columns: Sequence[int], threads: int, progress: object | None) -> EnsembleResult:
     """
-    The runs from states (n, d) with parameters (n, p), or (1, p) for all, in place of the request's own.
+    The runs from states (n, d) with parameters (n, p), or (1, p) for all, in place of the request's own, and their derivatives by components of the start and, from their count on, parameters.
+    """
+
+def varied(request: Request, use: str, variations: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], states: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], parameters: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], threads: int, progress: object | None) -> EnsembleResult:
+    """
+    The runs from states (n, d) with variations (k, d), free, for the MEGNO of the one, or made orthogonal; `states` tells of them, too.
     """
 
 def trust_horizon(request: Request, progress: object | None) -> float:
@@ -307,6 +312,11 @@ most_half_periods: float = 1.6069380442589903e+60
 def exact(description: Description, states: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], t: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], t0: float, out: Annotated[NDArray[numpy.float64], dict(shape=(None, None, None), order='C', device='cpu')]) -> bool:
     """
     States (m, n, 2) at times t (n,) from states (m, 2) at t0, into `out`; false where one is too large.
+    """
+
+def exact_derivatives(description: Description, state: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], t: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], t0: float, columns: Sequence[int]) -> NDArray[numpy.float64]:
+    """
+    Derivatives (n, 2, columns) at times t (n,) of the motion from a state (2,) at t0.
     """
 
 def periods(description: Description, states: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)]) -> NDArray[numpy.float64]:

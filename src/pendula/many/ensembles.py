@@ -9,13 +9,13 @@ from typing import TYPE_CHECKING, Any
 
 from pendula import _engine
 from pendula._angles import warn_of_degrees
-from pendula._checks import checked_progress, finite_number, states_array
+from pendula._checks import checked_progress, checked_threads, finite_number, states_array
 from pendula._late_methods import with_promised
 from pendula._messages import ArgumentError
 from pendula._progress import part, with_bar
 from pendula._rules import broken, refuse
 from pendula._tables import html_table
-from pendula.many.tasks import Runs, Task, checked_threads, derivatives_of, run_task
+from pendula.many.tasks import Runs, Task, run_task
 from pendula.run.derivatives import check_method, checked_derivatives
 from pendula.run.options import STANDARD_METHOD, checked_types, takes_options
 from pendula.run.request import checked_name, times_array
@@ -49,14 +49,12 @@ class Ensemble(Runs):
         systems: the pendulum of all, or one of each.
         starts: the states at t0, (n, d) [rad, rad/s].
         task: what all runs have in common, the options among it.
-        derivatives: of the states by what `derivative_names` says, (n, m, d, k); None: not asked.
         derivative_names: components of the start, and parameters, (k,).
     """
 
     systems: System | tuple[System, ...]
     starts: Array
     task: Task
-    derivatives: Array | None = None
     derivative_names: tuple[str, ...] = ()
 
     @property
@@ -178,15 +176,12 @@ def ensemble(
         check_method(task.method, task.digits)
     asked = system if isinstance(system, System) else systems
     if task.digits is None:
-        runs = part(report, 0.0, 0.2 if derived_by else 1.0)
-        found = run_task(task, parameters, starts, count, runs)
+        found = run_task(task, parameters, starts, count, report, derived_by)
     else:
         found = _runs_with_digits(task, systems, starts, task.digits, report)
-    derived: dict[str, Any] = {}
-    if derived_by:
-        derivatives_found = derivatives_of(task, parameters, starts, derived_by, count, report)
-        derived = {"derivatives": derivatives_found, "derivative_names": derived_by}
-    return Ensemble(systems=asked, starts=starts, task=task, **vars(found), **derived)
+    return Ensemble(
+        systems=asked, starts=starts, task=task, derivative_names=derived_by, **vars(found)
+    )
 
 
 def _checked_task(

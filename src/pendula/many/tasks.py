@@ -2,13 +2,10 @@
 
 from __future__ import annotations
 
-import os
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, NamedTuple
 
 from pendula import _engine
-from pendula._checks import check_threads
-from pendula._progress import part
 from pendula._rules import refuse
 from pendula.run.derivatives import names_derived_by
 from pendula.run.events import crossings_table
@@ -78,6 +75,7 @@ class Runs:
         reached: the time up to which each was made, (n,) [s].
         events: trajectories, times and states of each event.
         trust_horizon: (n,) [s], infinite where it is not passed within the run; None: not asked.
+        derivatives: of the states, (n, m, d, k); None: not asked.
     """
 
     states: Array
@@ -87,10 +85,16 @@ class Runs:
     reached: Array
     events: tuple[EnsembleCrossings, ...] = ()
     trust_horizon: Array | None = None
+    derivatives: Array | None = None
 
 
 def run_task(
-    task: Task, parameters: Array, states: Array, threads: int, progress: Progress = None
+    task: Task,
+    parameters: Array,
+    states: Array,
+    threads: int,
+    progress: Progress = None,
+    derived_by: tuple[str, ...] = (),
 ) -> Runs:
     """The runs of checked rows.
 
@@ -100,14 +104,16 @@ def run_task(
         states: at t0, (n, d) [rad, rad/s].
         threads: how many.
         progress: as for `ensemble`.
+        derived_by: components of the start and parameters to derive the states by.
     """
     import numpy as np
 
-    count, dimension = states.shape
+    (count, dimension), columns = states.shape, len(derived_by)
     if count == 0:
-        return _no_runs(task, dimension)
+        return _no_runs(task, dimension, columns)
     asked = task.for_core(parameters[0], np.ascontiguousarray(states[0]))
-    result = _engine.ensemble(asked, states, parameters, threads, progress)
+    places = [names_derived_by(task.system, task.form).index(name) for name in derived_by]
+    result = _engine.ensemble(asked, states, parameters, places, threads, progress)
     refuse(result.refused)
     if progress is not None:
         progress(1.0)
@@ -124,35 +130,11 @@ def run_task(
             for each in result.events
         ),
         trust_horizon=None if task.certify is None else result.trust_horizon,
+        derivatives=result.derivatives(task.t.size, dimension, columns) if columns else None,
     )
 
 
-def derivatives_of(
-    task: Task,
-    parameters: Array,
-    starts: Array,
-    names: tuple[str, ...],
-    threads: int,
-    progress: Progress,
-) -> Array:
-    """Derivatives (n, m, d, k) of the states at the outputs."""
-    import numpy as np
-
-    n, d = starts.shape
-    if n == 0:
-        return np.empty((0, task.t.size, d, len(names)))
-    everything = names_derived_by(task.system, task.form)
-    return _engine.ensemble_derivatives(
-        task.for_core(parameters[0], np.ascontiguousarray(starts[0])),
-        starts,
-        parameters,
-        [everything.index(name) for name in names],
-        threads,
-        part(progress, 0.2, 1.0),
-    )
-
-
-def _no_runs(task: Task, dimension: int) -> Runs:
+def _no_runs(task: Task, dimension: int, columns: int) -> Runs:
     """The result of no starts."""
     import numpy as np
 
@@ -166,14 +148,5 @@ def _no_runs(task: Task, dimension: int) -> Runs:
         reached=none,
         events=(nothing,) * len(task.events),
         trust_horizon=None if task.certify is None else none,
+        derivatives=np.empty((0, task.t.size, dimension, columns)) if columns else None,
     )
-
-
-def checked_threads(threads: int | None) -> int:
-    """How many threads: those asked for, or one for each processor that this process may use."""
-    asked = check_threads(threads)
-    if asked is not None:
-        return asked
-    if hasattr(os, "sched_getaffinity"):
-        return len(os.sched_getaffinity(0))
-    return os.cpu_count() or 1

@@ -91,7 +91,7 @@ def measurements_of(given: object) -> tuple[Measurement, ...]:
     return found
 
 
-def sampled(measurement: Measurement, window: object) -> Sampled:
+def sampled(measurement: Measurement, t: object) -> Sampled:
     """The samples within a window of time that have a value at all.
 
     Args:
@@ -104,14 +104,14 @@ def sampled(measurement: Measurement, window: object) -> Sampled:
     import numpy as np
 
     low, high = -np.inf, np.inf
-    if window is not None:
-        low, high = _window(window)
-    t, values = measurement.t, measurement.values
-    there = (t >= low) & (t <= high) & np.isfinite(values).any(axis=1) & np.isfinite(t)
-    found = Sampled(measurement, np.ascontiguousarray(t[there]), np.array(values[there]))
+    if t is not None:
+        low, high = _window(t)
+    times, values = measurement.t, measurement.values
+    there = (times >= low) & (times <= high) & np.isfinite(values).any(axis=1) & np.isfinite(times)
+    found = Sampled(measurement, np.ascontiguousarray(times[there]), np.array(values[there]))
     if len(found.t) < _FEWEST:
         raise ArgumentError(
-            "measurement" if window is None else "t",
+            "measurement" if t is None else "t",
             "must hold at least {least} samples to be fitted, got {value}",
             least=_FEWEST,
             value=len(found.t),

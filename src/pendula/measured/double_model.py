@@ -51,7 +51,7 @@ class DoubleModel:
         import numpy as np
 
         request, start, parameters = _run(t, values, self.tolerance)
-        result = _engine.ensemble(request, start, parameters, 1, None)
+        result = _engine.ensemble(request, start, parameters, [], 1, None)
         return np.asarray(result.states(len(t), 4)[0])
 
     def seen(self, states: Array, values: Mapping[str, float]) -> Array:
@@ -76,7 +76,8 @@ class DoubleModel:
         chain = _chain(values)
         needed = sorted({4 + names.index(n) for c in columns for n in chain.get(c, {})})
         needed = [*range(4), *needed]
-        run = _engine.ensemble_derivatives(request, start, parameters, needed, 1, None)[0]
+        result = _engine.ensemble(request, start, parameters, needed, 1, None)
+        run = result.derivatives(len(t), 4, len(needed))[0]
         found = np.zeros((len(t), 4, len(columns)))
         for place, column in enumerate(columns):
             if column in STATE:

@@ -215,7 +215,7 @@ class _Motion:
         """At the times, (n, 2)."""
         import numpy as np
 
-        result = _engine.ensemble(self.request, self.state, self.parameters, 1, None)
+        result = _engine.ensemble(self.request, self.state, self.parameters, [], 1, None)
         return np.asarray(result.states(self.n, 2)[0])
 
     def derivatives(self, names: Sequence[str]) -> Array:
@@ -223,7 +223,5 @@ class _Motion:
         import numpy as np
 
         columns = [self.columns[name] for name in names]
-        found = _engine.ensemble_derivatives(
-            self.request, self.state, self.parameters, columns, 1, None
-        )
-        return np.asarray(found[0])
+        found = _engine.ensemble(self.request, self.state, self.parameters, columns, 1, None)
+        return np.asarray(found.derivatives(self.n, 2, len(columns))[0])

@@ -97,3 +97,27 @@ def with_derivatives(run: Trajectory, names: tuple[str, ...], progress: Progress
             for each in found.events
         ),
     )
+
+
+def exact_derivatives(
+    system: System, state: Array, t: Array, t0: float, names: tuple[str, ...]
+) -> Array:
+    """Derivatives of the closed form at times (n,) from states (..., 2): (..., n, 2, k).
+
+    Args:
+        system: with a closed form.
+        state: at t0.
+        t: times [s].
+        t0: time of the state [s].
+        names: what to derive by.
+    """
+    import numpy as np
+
+    everything = names_derived_by(system.name, system.form)
+    columns = [everything.index(name) for name in names]
+    described = system._description()
+    derived = [
+        _engine.exact_derivatives(described, np.ascontiguousarray(start), t, t0, columns)
+        for start in state.reshape(-1, 2)
+    ]
+    return np.reshape(derived, (*state.shape[:-1], t.size, 2, len(names)))

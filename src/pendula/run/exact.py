@@ -8,15 +8,25 @@ from pendula import _engine
 from pendula._angles import warn_of_degrees
 from pendula._checks import broadcast_shape, finite_array, finite_number, states_array
 from pendula.run.closed_form import exact_states
+from pendula.run.derivatives import checked_derivatives, exact_derivatives
 from pendula.run.request import Request
 from pendula.run.trajectory import Trajectory
 from pendula.systems import System, with_closed_form
 
 if TYPE_CHECKING:
+    from collections.abc import Iterable
+
     from numpy.typing import ArrayLike
 
 
-def exact(system: System, state: ArrayLike, t: ArrayLike, *, t0: float = 0.0) -> Trajectory:
+def exact(
+    system: System,
+    state: ArrayLike,
+    t: ArrayLike,
+    *,
+    t0: float = 0.0,
+    derivatives: str | Iterable[str] | None = None,
+) -> Trajectory:
     """The motion in closed form, for any state, in every regime, to the last bits.
 
     The given numbers are taken as exact. The linear pendulum: Herrera et al. (2024), eq. 11; with
@@ -31,9 +41,12 @@ def exact(system: System, state: ArrayLike, t: ArrayLike, *, t0: float = 0.0) ->
         state: (θ0, ω0) at time t0, or an array (..., 2) of them [rad, rad/s].
         t: a time or times in any order, before t0 too, (n,) [s].
         t0: time of the state [s].
+        derivatives: names of components of the start and of parameters to derive the states by, or
+            "state", "parameters" or "all": the closed form in a hundred digits, derived.
 
     Returns:
-        A trajectory with states (n, 2), or (..., n, 2) for states (..., 2).
+        A trajectory with states (n, 2), or (..., n, 2) for states (..., 2); derivatives
+        (..., n, 2, k).
 
     Raises:
         ValueError: for a system without a closed form, values that are not finite, an angle of
@@ -45,8 +58,17 @@ def exact(system: System, state: ArrayLike, t: ArrayLike, *, t0: float = 0.0) ->
     warn_of_degrees("state", state, start[..., 0])
     origin = finite_number("t0", t0, "s")
     times = finite_array("t", t, "s").reshape(-1)
+    names = checked_derivatives(derivatives, system)
     states = exact_states(system, start, times, origin)
-    return Trajectory(system, "exact", times, states, Request(state=start, t=times, t0=origin))
+    return Trajectory(
+        system,
+        "exact",
+        times,
+        states,
+        Request(state=start, t=times, t0=origin),
+        derivatives=exact_derivatives(system, start, times, origin, names) if names else None,
+        derivative_names=names,
+    )
 
 
 def time_at(system: System, state: ArrayLike, theta: ArrayLike) -> Any:

@@ -69,6 +69,7 @@ class adaptive_run {
         stepper_.proceed(next);
         time_ = time_.moved_by({S(stepper_.length())});
       }
+      if constexpr (requires { consumer.moved(*this); }) consumer.moved(*this);
       if (result.steps % between_polls == 0 && !go_on(rough(time_.head[0]), result.steps))
         return ended(result, outcome::interrupted);
     }
@@ -77,6 +78,13 @@ class adaptive_run {
   const Stepper& stepper() const { return stepper_; }
   double direction() const { return direction_; }
   double end() const { return end_; }
+  // All numbers that the run goes on from.
+  template <class Function>
+  void each_number(Function&& change) {
+    for (S& x : time_.head) change(x);
+    for (S& x : time_.tail) change(x);
+    stepper_.each_number(change);
+  }
   // Whether one of the events in the step ends the run.
   bool terminated() const { return terminated_; }
   // The start of the step, and how far after it a time is.

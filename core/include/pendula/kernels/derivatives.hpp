@@ -17,20 +17,36 @@ using derived_by = std::size_t;
 
 inline constexpr std::size_t derived_at_once = 4;
 
-// Whom a derived run hands its results to: the changes of each component of a state, and of the time of an event.
+// A step of a derived run: the state at a time tau after its start, (d,), and its changes, (d, derived_at_once).
+struct derived_step {
+  virtual double start() const = 0;  // its time
+  virtual void at(double tau, double* values, double* changes) const = 0;
+
+ protected:
+  ~derived_step() = default;
+};
+
+// Whom a derived run hands its results to.
 struct derivative_receiver {
-  virtual void output(const double* changes) = 0;  // (d, derived_at_once)
-  virtual void event(int place, const double* of_time, const double* of_state) = 0;
+  virtual void output(const derived_step&, double tau) = 0;
+  virtual void event(int, const double* /*of_time*/, const double* /*of_state*/) {}
+  // After the outputs and events of each step, which the run goes on from at `stop`.
+  virtual void step(const derived_step&, double /*stop*/) {}
+  // Asked before the next step: a matrix (derived_at_once, derived_at_once) that the changes of all numbers are then
+  // multiplied by from the right; null: none.
+  virtual const double* mixing() { return nullptr; }
   virtual bool go_on(double t) = 0;
 
  protected:
   ~derivative_receiver() = default;
 };
 
-// The run of a request of the Taylor method, with outputs at times of their own; columns beyond those asked are empty.
+// The changes that a run begins with: of the state and, after it, of the parameters, (d + p, derived_at_once).
+using first_changes = std::span<const double>;
+
 struct derivative_kernel {
-  outcome (*run)(const request&, std::span<const double> outputs, std::span<const derived_by> columns,
-                 derivative_receiver&);
+  // The run of a request of the Taylor method, with outputs at times of their own, those after its start.
+  run_end (*run)(const request&, std::span<const double> outputs, first_changes, derivative_receiver&);
 };
 const derivative_kernel& best_derivative_kernel();  // for this processor
 

@@ -21,13 +21,10 @@ struct ensemble_rows {
   const double* parameters_of(std::size_t n) const { return parameters.data() + n * parameters_apart; }
 };
 
-// The runs of all rows, with what the request says besides its own state and parameters, and outputs at its times. What
-// goes wrong with one stands in its outcome and leaves the others alone; nothing depends on the number of workers.
-ensemble_result run_ensemble(const request&, const ensemble_rows&, pool&, const watcher&);
-
-// The derivatives of all those runs at the request's times by each of the columns, (n, m, d, columns): NaN where a run
-// did not come so far. Empty where `watch` ended it.
-std::vector<double> ensemble_derivatives(const request&, const ensemble_rows&, std::span<const derived_by> columns,
-                                         pool&, const watcher&);
+// The runs of all rows, with what the request says besides its own state and parameters, and outputs at its times;
+// their derivatives by the columns. What goes wrong with one stands in its outcome and leaves the others alone; nothing
+// depends on the number of workers.
+ensemble_result run_ensemble(const request&, const ensemble_rows&, std::span<const derived_by> columns, pool&,
+                             const watcher&);
 
 }  // namespace pendula

@@ -21,6 +21,8 @@ watcher part_of(const watcher& whole, double from, double to);
 
 // The work of a certified run that is the run itself; the rest goes into the shadow beside it.
 inline constexpr double plain_share = 0.02;
+// And the same of a run that is made again with its derivatives.
+inline constexpr double derived_share = 0.2;
 
 // Times and states (k, d) at which an event took place; in an ensemble, the trajectories too, rising.
 struct crossings {
@@ -56,7 +58,8 @@ struct ensemble_result {
   std::vector<outcome> ended;
   std::vector<std::int64_t> steps, evaluations;
   std::vector<double> reached;
-  std::vector<double> states;  // (n, m, d); NaN where a run did not come so far
+  std::vector<double> states;       // (n, m, d); NaN where a run did not come so far
+  std::vector<double> derivatives;  // by the columns asked for, (n, m, d, columns), the same
   std::vector<crossings> events;
   std::vector<double> trust_horizon;  // empty: not asked
   bool interrupted = false;

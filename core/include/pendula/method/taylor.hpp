@@ -95,6 +95,12 @@ class taylor_stepper {
   const joints_of<Sys>& joints() const { return joints_; }
   void begin_piece(const S&, const point& from, const joints_of<Sys>& joints) { resume({from, joints}); }
 
+  template <class Function>
+  void each_number(Function&& change) {
+    for (S& x : at_.head) change(x);
+    for (S& x : at_.tail) change(x);
+  }
+
   // Works out the series at the point at time t, and how far it reaches, forward in time or (direction −1) backward: as
   // far as the first term left out stays below the error allowed. Four orders tell the radius of convergence, and the
   // least counts: a motion from rest has none of the odd ones, one from rest at a right angle every fourth only.
@@ -110,6 +116,11 @@ class taylor_stepper {
     ++expansions_;
   }
   R length() const { return length_ * unit_; }
+  // For the series of the motion's variations.
+  const typename Sys::series& series() const { return series_; }
+  const S* inverse() const { return inverse_.data(); }
+  int order() const { return order_; }
+  S in_units(S tau) const { return tau * S(in_units_); }
 
   PENDULA_INLINE point after(S tau) const { return after_units(tau * S(in_units_)); }
   // The end of the step, which is after(length()): the next one waits for it.

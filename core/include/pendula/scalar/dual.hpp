@@ -2,23 +2,62 @@
 // Comm. ACM 7, 463). What is decided is decided by the values alone, so that they have the bits of the plain run.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <functional>
 
 #include "pendula/scalar/product.hpp"
 #include "pendula/scalar/rough_powers.hpp"
 
 namespace pendula::inline PENDULA_MACHINE {
 
-template <int n>
-struct dual {
-  using tangents = pack<double, n>;
+// The tangents of one number, of a scalar that there are no packs of.
+template <class S, int n>
+struct bundle {
+  std::array<S, n> each;
 
-  double value;
+  bundle() = default;
+  explicit bundle(const S& x) { each.fill(x); }
+  const S& operator[](int i) const { return each[static_cast<std::size_t>(i)]; }
+  void set(int i, const S& x) { each[static_cast<std::size_t>(i)] = x; }
+
+  friend bundle operator-(const bundle& a) {
+    return a.with(a, [](const S& x, const S&) { return S(-x); });
+  }
+  friend bundle operator+(const bundle& a, const bundle& b) { return a.with(b, std::plus<S>()); }
+  friend bundle operator-(const bundle& a, const bundle& b) { return a.with(b, std::minus<S>()); }
+  friend bundle operator*(const bundle& a, const bundle& b) { return a.with(b, std::multiplies<S>()); }
+  friend bundle operator/(const bundle& a, const bundle& b) { return a.with(b, std::divides<S>()); }
+
+ private:
+  template <class Operation>
+  bundle with(const bundle& b, Operation&& operation) const {
+    bundle result;
+    std::ranges::transform(each, b.each, result.each.begin(), operation);
+    return result;
+  }
+};
+
+template <class S, int n>
+struct tangents_of {
+  using type = bundle<S, n>;
+};
+template <int n>
+struct tangents_of<double, n> {
+  using type = pack<double, n>;
+};
+
+template <int n, class S = double>
+struct dual {
+  using tangents = typename tangents_of<S, n>::type;
+
+  S value;
   tangents change;
 
   dual() = default;
-  PENDULA_INLINE dual(double x) : value(x), change(0.0) {}
-  PENDULA_INLINE dual(double x, tangents d) : value(x), change(d) {}
+  PENDULA_INLINE dual(const S& x) : value(x), change(S(0.0)) {}
+  PENDULA_INLINE dual(const S& x, const tangents& d) : value(x), change(d) {}
 
   bool changes() const { return any_lane(mask_not(equal(change, tangents(0.0)))); }
 
@@ -33,7 +72,7 @@ struct dual {
     return {a.value * b.value, a.change * tangents(b.value) + b.change * tangents(a.value)};
   }
   PENDULA_INLINE friend dual operator/(const dual& a, const dual& b) {
-    const double quotient = a.value / b.value;
+    const S quotient = a.value / b.value;
     return {quotient, (a.change - b.change * tangents(quotient)) / tangents(b.value)};
   }
   PENDULA_INLINE friend bool equal(const dual& a, const dual& b) { return a.value == b.value; }

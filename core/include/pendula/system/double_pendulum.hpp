@@ -13,7 +13,7 @@
 
 namespace pendula::inline PENDULA_MACHINE {
 
-template <class S>
+template <class S, bool keeps_products = false>
 class double_pendulum_series;
 
 struct double_pendulum {

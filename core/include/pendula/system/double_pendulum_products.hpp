@@ -31,6 +31,10 @@ struct double_products {
     S c1, s1, c2, s2, c, s;
     PENDULA_INLINE S first_sine() const { return s1; }
     PENDULA_INLINE S second_sine() const { return s2; }
+    PENDULA_INLINE S first_cosine() const { return c1; }
+    PENDULA_INLINE S second_cosine() const { return c2; }
+    PENDULA_INLINE S coupling_cosine() const { return c; }
+    PENDULA_INLINE S coupling_sine() const { return s; }
   };
   struct velocity {
     S first{0.0}, second{0.0};
@@ -62,6 +66,7 @@ struct double_products {
     return {m.i11 * r1 + m.i12 * r2, m.i12 * r1 + m.i22 * r2};
   }
   PENDULA_INLINE S sine_first() const { return s_first; }
+  PENDULA_INLINE S sine_second() const { return s_second; }
   PENDULA_INLINE S cosine_first() const { return c_first; }
   PENDULA_INLINE S cosine_second() const { return c_second; }
   // The factors' next order.
@@ -88,6 +93,10 @@ struct products_in_lanes {
     Four coupling;  // c, s, c, s
     PENDULA_INLINE S first_sine() const { return lane(outer, 1); }
     PENDULA_INLINE S second_sine() const { return lane(outer, 3); }
+    PENDULA_INLINE S first_cosine() const { return lane(outer, 0); }
+    PENDULA_INLINE S second_cosine() const { return lane(outer, 2); }
+    PENDULA_INLINE S coupling_cosine() const { return lane(coupling, 0); }
+    PENDULA_INLINE S coupling_sine() const { return lane(coupling, 1); }
   };
   using velocity = Four;  // first, first, second, second
 
@@ -106,6 +115,7 @@ struct products_in_lanes {
     return lanes_of(m.i11, m.i11, m.i12, m.i12) * r1 + lanes_of(m.i12, m.i12, m.i22, m.i22) * r2;
   }
   PENDULA_INLINE S sine_first() const { return lane(coupling, 1); }
+  PENDULA_INLINE S sine_second() const { return lane(coupling, 3); }
   PENDULA_INLINE S cosine_first() const { return lane(coupling, 0); }
   PENDULA_INLINE S cosine_second() const { return lane(coupling, 2); }
   PENDULA_INLINE factor integrated(S inverse_order) const {

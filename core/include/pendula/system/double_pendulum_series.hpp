@@ -15,7 +15,14 @@
 
 namespace pendula::inline PENDULA_MACHINE {
 
+// Of an order, what the series of the motion's variations needs beyond it.
 template <class S>
+struct double_kept_products {
+  S sine_second, cosine_first;  // C s ∗ ω2 and C c ∗ ω1
+};
+struct nothing_kept {};
+
+template <class S, bool keeps_products>
 class double_pendulum_series {
  public:
   // The order is even.
@@ -34,6 +41,7 @@ class double_pendulum_series {
     typename products::velocity w;
     S sine_first;  // s ∗ ω1, times C
     S p1, p2;
+    [[no_unique_address]] std::conditional_t<keeps_products, double_kept_products<S>, nothing_kept> kept;
   };
 
   // add(k, order k, ṗ1, ṗ2): more torques, that depend on the velocities.
@@ -64,6 +72,10 @@ class double_pendulum_series {
   std::vector<one_order> orders_;
 
  public:
+  // All of an order, for the series of variations.
+  const one_order& order(int k) const { return orders_[static_cast<std::size_t>(k)]; }
+  int last() const { return static_cast<int>(orders_.size()) - 1; }
+
   // Order k of ω_i, i = 0 or 1, below the order of the series.
   PENDULA_INLINE S velocity(int i, int k) const {
     return i == 0 ? products::first(orders_[k].w) : products::second(orders_[k].w);
@@ -104,7 +116,7 @@ class double_pendulum_series {
     if (k > 0) sum.add(o[k].factor, o[0].w);
     o[k].w = sum.solved(mass, o[k].p1, o[k].p2);
     sum.add(o[0].factor, o[k].w);
-    o[k].sine_first = sum.sine_first();
+    keep(o[k], sum);
     o[k + 1].factor = sum.integrated(inverse);
     turn(k, turning, inverse, add);
   }
@@ -115,15 +127,27 @@ class double_pendulum_series {
     one_order* const o = orders_.data();
     products sum;
     S turning(0.0);
+    const auto add_needed = [&sum](const typename products::factor& factor, const typename products::velocity& w) {
+      if constexpr (keeps_products) {
+        sum.add(factor, w);
+      } else {
+        sum.add_coupling(factor, w);
+      }
+    };
     for (int j = 1; j < k; ++j) {
-      sum.add_coupling(o[j].factor, o[k - j].w);
+      add_needed(o[j].factor, o[k - j].w);
       turning = detail::with_product(turning, o[j].sine_first * products::second(o[k - j].w));
     }
-    sum.add_coupling(o[k].factor, o[0].w);
+    add_needed(o[k].factor, o[0].w);
     o[k].w = sum.solved(mass, o[k].p1, o[k].p2);
-    sum.add_coupling(o[0].factor, o[k].w);
-    o[k].sine_first = sum.sine_first();
+    add_needed(o[0].factor, o[k].w);
+    keep(o[k], sum);
     turn(k, turning, inverse, add);
+  }
+
+  PENDULA_INLINE static void keep(one_order& order, const products& sum) {
+    order.sine_first = sum.sine_first();
+    if constexpr (keeps_products) order.kept = {sum.sine_second(), sum.cosine_first()};
   }
 
   // Order k + 1 of the momenta.

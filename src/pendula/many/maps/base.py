@@ -7,13 +7,13 @@ from typing import TYPE_CHECKING, Any, ClassVar
 
 from pendula import _engine
 from pendula._attributes import KEY
-from pendula._checks import number, positive_number
+from pendula._checks import checked_threads, number, positive_number
 from pendula._messages import ArgumentError
 from pendula._rules import refuse
 from pendula._version import __version__
 from pendula.many.chunks import Variable, Work, run
 from pendula.many.maps.cells import Cells, checked_cells
-from pendula.many.tasks import Runs, Task, checked_threads, run_task
+from pendula.many.tasks import Runs, Task, run_task
 from pendula.run.options import BEST_TOLERANCE
 from pendula.run.request import Request
 from pendula.run.stiffness import warn_of_stiffness

@@ -106,8 +106,14 @@ class Cells:
         )
 
 
-def checked_cells(theta1: object, theta2: object, shape: object) -> Cells:
-    """The rectangle that the arguments of a map ask for.
+def checked_cells(
+    first: object,
+    second: object,
+    shape: object,
+    names: tuple[str, str] = NAMES,
+    units: tuple[str, str] = ("rad", "rad"),
+) -> Cells:
+    """The rectangle that the arguments of a map, by their names, ask for.
 
     Raises:
         ValueError: naming the argument.
@@ -127,19 +133,21 @@ def checked_cells(theta1: object, theta2: object, shape: object) -> Cells:
             "take a smaller rectangle",
             text=f"{n1} x {n2}",
         )
-    return Cells(
-        (_checked_range(NAMES[0], theta1, n1), _checked_range(NAMES[1], theta2, n2)), (n1, n2)
+    ranges = (
+        _checked_range(names[0], first, n1, units[0]),
+        _checked_range(names[1], second, n2, units[1]),
     )
+    return Cells(ranges, (n1, n2))
 
 
-def _checked_range(name: str, given: object, count: int) -> tuple[float, float]:
+def _checked_range(name: str, given: object, count: int, unit: str) -> tuple[float, float]:
     """A range within that of the sine, whose cells' centres are different doubles."""
-    lo, hi = number_pair(name, given, "must be a range (lo, hi) [rad]", "rad")
+    lo, hi = number_pair(name, given, f"must be a range (lo, hi) [{unit}]", unit)
     if not lo < hi:
-        rule = "must be a range (lo, hi) with lo < hi [rad], got {value}"
+        rule = f"must be a range (lo, hi) with lo < hi [{unit}], got {{value}}"
         raise ArgumentError(name, rule, value=(lo, hi))
     largest = max(abs(lo), abs(hi))
-    if largest > _engine.LARGEST_ANGLE:
+    if unit == "rad" and largest > _engine.LARGEST_ANGLE:
         rule = "must lie within ±2^26 rad, got {value}"
         raise ArgumentError(name, rule, "take whole turns off", value=(lo, hi))
     if hi - lo < 2 * count * math.ulp(largest):

@@ -9,11 +9,12 @@ from typing import TYPE_CHECKING
 from pendula._checks import extra
 from pendula._messages import one_line
 from pendula.many.chunks import opened
+from pendula.many.maps.indicator import INDICATORS
 
 if TYPE_CHECKING:
     import xarray as xr
 
-_VARIABLES = ("flip_time", "growth")  # what a map of each kind holds
+_VARIABLES = ("flip_time", "growth", *INDICATORS)  # what maps hold
 
 
 def open_map(path: str | os.PathLike[str]) -> xr.Dataset:
@@ -34,7 +35,7 @@ def open_map(path: str | os.PathLike[str]) -> xr.Dataset:
     found = _netcdf(Path(name)) if name.lower().endswith(".nc") else opened(name)
     if not any(variable in found for variable in _VARIABLES):
         found.close()
-        raise ValueError(f"{name} holds no map: it has neither {' nor '.join(_VARIABLES)}")
+        raise ValueError(f"{name} holds no map: it has none of {', '.join(_VARIABLES)}")
     return found
 
 

@@ -8,10 +8,11 @@ from typing import TYPE_CHECKING
 
 from pendula import _engine
 from pendula._attributes import KEY
+from pendula._checks import checked_threads
 from pendula._progress import part
 from pendula._version import __version__
 from pendula.many.chunks import Axis, Variable, Work
-from pendula.many.tasks import checked_threads, run_task
+from pendula.many.tasks import run_task
 from pendula.systems.energies import energies
 
 if TYPE_CHECKING:

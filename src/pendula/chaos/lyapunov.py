@@ -1,0 +1,245 @@
+"""Lyapunov exponents with their errors."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+from pendula._checks import checked_progress, number, positive_number, whole_number
+from pendula._messages import ArgumentError
+from pendula._progress import part, with_bar
+from pendula._tables import html_table
+from pendula.chaos.variations import OPTIONS, Asked, asked_of, first_variations
+from pendula.chaos.verdict import standard_error_of_mean, verdict_of
+from pendula.run.options import takes_options
+from pendula.run.solve import solve
+
+if TYPE_CHECKING:
+    from typing import Unpack
+
+    from numpy.typing import ArrayLike
+
+    from pendula._progress import AskedProgress, Progress
+    from pendula._types import Array
+    from pendula.run.options import RunOptions
+    from pendula.systems import System
+
+_PARTS = 400  # of a run, whose growths the error comes from
+
+
+@dataclass(frozen=True, eq=False)
+class Lyapunov:
+    """Lyapunov exponents of one motion, or of n motions (then with a first axis n).
+
+    Attributes:
+        system: the pendulum.
+        start: the state at t0, (d,) [rad, rad/s].
+        t: times of the running estimate, from the end of the transient on, (m,) [s].
+        exponents: mean growth of ln|δ|, of the orthogonal parts for several, (k,) [1/s].
+        standard_error: of each, from block means, (k,); NaN where the run is too short for eight
+            blocks of two correlation times [1/s].
+        running: the estimates up to each time, (m, k) [1/s].
+        verdict: "chaotic", "regular" or "undecided", by the mean MEGNO of the whole run.
+        mean_megno: of the whole run; NaN where several exponents are asked for.
+        transient: time left out at the start [s].
+        trust_horizon: up to here the states are right to `certify`; None: not asked [s].
+        finite_time: the exponents up to the trust horizon, along states that are right, (k,) [1/s];
+            None: not asked.
+        n_steps: taken.
+        outcome: how the run ended.
+    """
+
+    system: System
+    start: Array
+    t: Array
+    exponents: Array
+    standard_error: Array
+    running: Array
+    verdict: Any
+    mean_megno: Any
+    transient: float
+    trust_horizon: Any
+    finite_time: Array | None
+    n_steps: Any
+    outcome: Any
+
+    @property
+    def sum(self) -> Array:
+        """Of all exponents [1/s]: 0 without friction, but for 1/T; a check, no result.
+
+        Raises:
+            ValueError: where not all were asked for.
+        """
+        self._check_all()
+        total: Array = self.exponents.sum(axis=-1)
+        return total
+
+    @property
+    def pairing_error(self) -> Array:
+        """|λi + λ(d+1−i)| of each pair, (d/2,) [1/s]: 0 without friction, but for 1/T.
+
+        Raises:
+            ValueError: where not all were asked for.
+        """
+        self._check_all()
+        half = self.exponents.shape[-1] // 2
+        return abs(self.exponents[..., :half] + self.exponents[..., : half - 1 : -1])
+
+    @property
+    def settled(self) -> Any:
+        """Whether the second half of the run agrees with the whole to two standard errors."""
+        import numpy as np
+
+        half, span = len(self.t) // 2, self.t[-1] - self.t[0]
+        until = self.t[half - 1] - self.t[0] + span / len(self.t)
+        whole = span + span / (len(self.t) - 1)
+        first = self.running[..., half - 1, 0]
+        second = (self.exponents[..., 0] * whole - first * until) / (whole - until)
+        return np.abs(second - self.exponents[..., 0]) <= 2.0 * self.standard_error[..., 0]
+
+    def _check_all(self) -> None:
+        have, all_of_them = self.exponents.shape[-1], len(self.system.components)
+        if have != all_of_them:
+            rule = "must be {wanted} for their sum and pairs, got {value}"
+            raise ArgumentError("exponents", rule, wanted=all_of_them, value=have)
+
+    def __repr__(self) -> str:
+        return f"<Lyapunov of {self.system!r}: {self._told()}>"
+
+    def _repr_html_(self) -> str:
+        """What a notebook shows."""
+        facts = [("system", repr(self.system)), ("exponents [1/s]", self._told())]
+        return html_table("Lyapunov exponents", facts)
+
+    def _told(self) -> str:
+        if self.exponents.ndim > 1:
+            return f"{len(self.exponents)} motions"
+        pairs = zip(self.exponents, self.standard_error, strict=True)
+        return ", ".join(f"{value:.4g} ± {error:.2g}" for value, error in pairs) + (
+            f", {self.verdict}"
+        )
+
+
+@with_bar("exponents")
+@takes_options(*OPTIONS, "certify")
+def lyapunov(
+    system: System,
+    state: ArrayLike,
+    t_max: float,
+    *,
+    exponents: int = 1,
+    transient: float = 0.0,
+    tangent: ArrayLike | None = None,
+    t0: float = 0.0,
+    threads: int | None = None,
+    progress: AskedProgress = None,
+    **options: Unpack[RunOptions],
+) -> Lyapunov:
+    """Lyapunov exponents: how fast neighbours part, ln(|δ(t)|/|δ(0)|)/t, with standard errors.
+
+    δ is carried by the variational equations, in (θ…, ω…), rad and rad/s. Several exponents by
+    orthogonal frames (Benettin et al. 1980, Meccanica 15, 9). The states have the bits of `solve`.
+
+    Args:
+        system: a pendulum.
+        state: at t0, (d,), or n of them, (n, d) [rad, rad/s].
+        t_max: length of the run after the transient [s].
+        exponents: how many, the largest first.
+        transient: time at the start that is left out [s].
+        tangent: δ(0), (d,), or (k, d); None: (½, ½, ½, ½), or (1, 1)/√2, the others orthogonal.
+        t0: time of the state [s].
+        threads: None: one for each processor.
+        progress: called with the part that is done, 0 to 1; True: a bar.
+        **options: see `RunOptions`.
+
+    Raises:
+        ValueError: for an argument out of range.
+    """
+    import numpy as np
+
+    report = checked_progress(progress)
+    length = positive_number("t_max", t_max, "s")
+    before = number("transient", transient, "s")
+    if before < 0.0:
+        raise ArgumentError("transient", "must be 0 or more [s], got {value}", value=before)
+    parts = before + length * np.arange(1, _PARTS + 1) / _PARTS
+    times = parts if before == 0.0 else np.concatenate([[before], parts])
+    certify = options.pop("certify", None)
+    asked = asked_of(system, state, t0 + times, t0, "lyapunov", **options)
+    count = whole_number("exponents", exponents, len(asked.system.components))
+    runs = part(report, 0.0, 0.1 if certify is not None else 1.0)
+    growth, mean_megno, found = _growth(asked, count, tangent, threads, runs)
+    if before > 0.0:
+        growth = growth[:, 1:] - growth[:, :1]
+    elapsed = parts - before
+    running = growth / elapsed[:, np.newaxis]
+    steps = np.diff(growth, axis=1, prepend=0.0) / (length / _PARTS)
+    errors = [[standard_error_of_mean(row[:, i]) for i in range(count)] for row in steps]
+    horizon, finite = None, None
+    if certify is not None:
+        horizon = _horizons(asked, certify, part(report, 0.1, 1.0))
+        finite = _until(t0 + parts, running, horizon)
+    shaped = asked.shaped
+    return Lyapunov(
+        asked.system,
+        shaped(asked.starts),
+        t0 + parts,
+        shaped(running[:, -1]),
+        shaped(np.array(errors)),
+        shaped(running),
+        shaped(verdict_of(mean_megno)),
+        shaped(mean_megno),
+        before,
+        None if horizon is None else shaped(horizon),
+        None if finite is None else shaped(finite),
+        shaped(found.n_steps),
+        shaped(found.outcomes),
+    )
+
+
+def _growth(
+    asked: Asked, count: int, tangent: ArrayLike | None, threads: object, progress: Progress
+) -> tuple[Array, Array, Any]:
+    """Ln of the growths at the outputs, (n, m, count), and the mean MEGNO of each run."""
+    import numpy as np
+
+    d = len(asked.system.components)
+    given = first_variations(asked.system, tangent, count, "tangent")
+    if count == 1:
+        runs = asked.runs(given, "megno", threads, progress)
+        assert runs.integrals is not None
+        mean = runs.integrals[:, -1, 1] / (asked.t[-1] - asked.t0)
+        return runs.growth, mean, runs
+    whole = np.linalg.qr(np.concatenate([given, np.eye(d)]).T)[0].T  # the first ones span the same
+    runs = asked.runs(whole, "orthogonal", threads, progress)
+    return runs.growth[..., :count], np.full(len(asked.starts), np.nan), runs
+
+
+def _horizons(asked: Asked, certify: float | None, progress: Progress) -> Array:
+    """The trust horizon of each run [s]."""
+    import numpy as np
+
+    end, n = float(asked.t[-1]), len(asked.starts)
+    return np.array(
+        [
+            solve(
+                asked.system,
+                start,
+                [end],
+                t0=asked.t0,
+                certify=certify,
+                progress=part(progress, i / n, (i + 1) / n),
+                **asked.options,
+            ).trust_horizon
+            for i, start in enumerate(asked.starts)
+        ]
+    )
+
+
+def _until(t: Array, running: Array, horizon: Array) -> Array:
+    """The running estimates at the last time before the horizon, (n, k); NaN: it is before all."""
+    import numpy as np
+
+    last = np.searchsorted(t, horizon, side="right") - 1
+    found = running[np.arange(len(running)), last]
+    return np.where((last < 0)[:, np.newaxis], np.nan, found)
