@@ -99,5 +99,5 @@ def test_the_table_has_a_row_a_model() -> None:
     assert list(table.index) == ["viscous", "viscous + coulomb", "linear + viscous"]
     assert table["bic"].min() == 0.0
     assert "gravity" in found.best.derived
-    with pytest.raises(ValueError, match="model must be one of undamped"):
+    with pytest.raises(ValueError, match="models must be one of undamped"):
         compare_models(clean(), ["glue"])

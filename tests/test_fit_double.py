@@ -47,7 +47,7 @@ def of_angles(t: np.ndarray, angles: np.ndarray) -> Measurement:
 def test_windows_with_published_parameters_have_their_reference_residuals(
     i: int, rms: tuple[float, float]
 ) -> None:
-    found = fit(window(i), "undamped", geometry=PUBLISHED)
+    found = fit(window(i), PUBLISHED, free=())
     assert found.names == ("theta1", "theta2", "omega1", "omega2")
     reached = 1e3 * np.sqrt(np.mean(found.residuals**2, axis=0))
     np.testing.assert_allclose(reached, rms, atol=0.06)
@@ -76,7 +76,7 @@ def test_the_model_leaves_where_it_is_wrong() -> None:
     heavier = pendula.DampedDoublePendulum.bodies(
         0.0938440, 0.1375960, 0.1727192, 0.1085652, 0.1367790, 4.3753e-4, 1.26883e-3, 9.80858
     )
-    found = fit(window(1), "undamped", geometry=heavier, tolerance=0.01, windows=0.5)
+    found = fit(window(1), heavier, free=(), tolerance=0.01, windows=0.5)
     assert found.horizon is not None
     assert found.horizon.left
     assert found.horizon.followed < 1.0 < found.horizon.trust
@@ -134,7 +134,7 @@ def test_bad_arguments_of_double_pendulums_are_named() -> None:
         fit([made, made])
     with pytest.raises(ValueError, match='"undamped", "viscous" or "viscous \\+ coulomb"'):
         fit(made, "quadratic")
-    with pytest.raises(ValueError, match="geometry must be a double pendulum"):
-        fit(made, geometry=pendula.SimplePendulum())
+    with pytest.raises(ValueError, match="system must be a double pendulum as the recording is"):
+        fit(made, pendula.SimplePendulum())
     with pytest.raises(ValueError, match="windows must be positive"):
         fit(made, windows=-1.0)

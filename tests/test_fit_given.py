@@ -7,6 +7,7 @@ from dataclasses import replace
 
 import pytest
 
+import pendula
 from pendula.measured import fit
 from simulated import clean
 
@@ -14,8 +15,8 @@ from simulated import clean
 @pytest.mark.parametrize(
     ("given", "said"),
     [
-        ({"model": "sticky"}, "model must be one of undamped"),
-        ({"model": "linear + coulomb"}, 'model must be "linear" or "linear + viscous"'),
+        ({"system": "sticky"}, "system must be one of undamped"),
+        ({"system": "linear + coulomb"}, 'system must be "linear" or "linear + viscous"'),
         ({"fixed": {"mass": 1.0}}, "fixed must be one of theta"),
         ({"fixed": 3}, "fixed must be values by the names of parameters, got 3"),
         ({"length": -1.0}, "length must be positive [m], got -1.0"),
@@ -24,7 +25,11 @@ from simulated import clean
         ({"t": (5.0, 5.0)}, "t must be two rising times"),
         ({"t": (100.0, 200.0)}, "t must hold at least 8 samples"),
         ({"uncertainty": "guess"}, "uncertainty must be one of corrected"),
-        ({"geometry": 3}, "geometry must be a double pendulum"),
+        ({"system": pendula.DoublePendulum.bobs()}, "system must be one pendulum as the recording"),
+        ({"free": "mass"}, "free must be one of theta"),
+        ({"bounds": 3}, "bounds must be (low, high) by the names of parameters, got 3"),
+        ({"bounds": {"viscous": (1.0, 0.0)}}, "bounds of viscous must rise, got (1.0, 0.0)"),
+        ({"bounds": {"viscous": 1.0}}, "bounds must be (low, high) by the names"),
     ],
 )
 def test_bad_arguments_are_named(given: dict[str, object], said: str) -> None:

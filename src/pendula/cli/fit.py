@@ -86,7 +86,8 @@ def _fit_motion(measured: Sequence[Measurement], given: dict[str, Any]) -> Fit |
     }
     if given["model"] is None:
         return compare_models(angles, **options)
-    return fit(angles, given["model"], **options)
+    with renaming(system="model"):
+        return fit(angles, given["model"], **options)
 
 
 def _fit_periods(measured: PeriodTable, given: dict[str, Any]) -> PeriodFit:

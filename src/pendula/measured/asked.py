@@ -35,12 +35,13 @@ class Known:
     sigma: float = 0.0
 
 
-def model_parts(model: object) -> tuple[bool, tuple[str, ...]]:
+def model_parts(model: object, argument: str = "system") -> tuple[bool, tuple[str, ...]]:
     """Whether a model is the linear one, and its kinds of friction in their usual order.
 
     Args:
         model: names joined by +, such as "viscous + coulomb", or a sequence of them; "undamped":
             no friction; "linear" among them: −ω0² θ in place of −ω0² sin θ.
+        argument: its name.
 
     Raises:
         ValueError: for another name, or for linear with friction that is not viscous.
@@ -52,10 +53,10 @@ def model_parts(model: object) -> tuple[bool, tuple[str, ...]]:
     else:
         names = [model]  # type: ignore[list-item]  # which is refused below
     for name in names:
-        one_of("model", name, _PARTS)
+        one_of(argument, name, _PARTS)
     if "linear" in names and not set(names) <= set(_LINEAR):
         raise ArgumentError(
-            "model",
+            argument,
             'must be "linear" or "linear + viscous" where it is linear, got {value}',
             "leave linear out",
             value=model,

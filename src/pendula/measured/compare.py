@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from pendula._late_methods import with_promised
 from pendula.measured.asked import model_name, model_parts
-from pendula.measured.fit import Begun, fitted
+from pendula.measured.begun import Begun
+from pendula.measured.fit import fitted
 from pendula.measured.model import FRICTIONS
 from pendula.measured.plan import planned
 from pendula.measured.words import Note
@@ -145,7 +146,9 @@ def compare_models(
     Raises:
         ValueError: as for `fit`.
     """
-    fits = _fits(measurement, list(dict.fromkeys(model_parts(each) for each in models)), options)
+    fits = _fits(
+        measurement, list(dict.fromkeys(model_parts(each, "models") for each in models)), options
+    )
     least = min(fits.values(), key=_rms)
     effective = min(least.n_effective, float(least.n_samples))
     logs = {each: effective * math.log(made.rms**2) for each, made in fits.items()}

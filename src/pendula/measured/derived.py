@@ -6,6 +6,7 @@ import math
 from typing import TYPE_CHECKING
 
 from pendula.measured.fitted import Quantity
+from pendula.measured.system_model import inertia_and_pull
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Mapping
@@ -16,9 +17,8 @@ if TYPE_CHECKING:
 
 def derived_of(
     names: tuple[str, ...],
-    x: Array,
+    values: dict[str, float],
     covariance: Array,
-    constants: dict[str, float],
     length: Known | None,
     gravity: Known | None,
 ) -> dict[str, Quantity]:
@@ -26,14 +26,11 @@ def derived_of(
 
     Args:
         names: of the parameters of the first recording, (k,).
-        x: their values, (k,).
-        covariance: of them, (k, k).
-        constants: parameters that were not fitted.
+        values: of all parameters of that recording.
+        covariance: of those that were fitted, (k, k).
         length: from the pivot to the bob, if known [m].
         gravity: if known [m/s²].
     """
-    known = dict(zip(names, x.tolist(), strict=True))
-    values = {**constants, **known}
 
     def error(**by: float) -> float:
         slope = [by.get(name, 0.0) for name in names]
@@ -41,6 +38,8 @@ def derived_of(
 
     if "C_over_A" in values:
         return _of_double(values, error, length)
+    if "omega0_squared" not in values:
+        return _of_system(values, error)
     square = values["omega0_squared"]
     root = math.sqrt(square)
     found = {
@@ -55,8 +54,8 @@ def derived_of(
         reach, relative = gravity.value / square, gravity.sigma / gravity.value
         own = error(omega0_squared=reach / square)
         found["length"] = Quantity(reach, math.hypot(own, reach * relative), "m")
-    if known.get("viscous", 0.0) > 0.0:
-        b = known["viscous"]
+    if "viscous" in names and values["viscous"] > 0.0:
+        b = values["viscous"]
         found["damping_rate"] = Quantity(0.5 * b, error(viscous=0.5), "1/s")
         found["quality_factor"] = Quantity(
             root / b, error(viscous=-root / b**2, omega0_squared=0.5 / (root * b)), ""
@@ -75,3 +74,22 @@ def _of_double(
         spread = math.hypot(own * length.value, ratio * length.sigma)
         found["gravity"] = Quantity(ratio * length.value, spread, "m/s²")
     return found
+
+
+def _of_system(values: Mapping[str, float], error: Callable[..., float]) -> dict[str, Quantity]:
+    """ω0² = m g c / I of one pendulum, by its own parameters; nothing of a double one."""
+    if "m1" in values:
+        return {}
+    inertia, pull = inertia_and_pull(values)
+    square = pull / inertia
+    powers = {"gravity": 1.0, "length": -1.0}
+    if "inertia" in values:
+        powers = {"gravity": 1.0, "mass": 1.0, "centre": 1.0, "inertia": -1.0}
+    parts = {name: power / values[name] for name, power in powers.items() if name in values}
+    relative = error(**parts)
+    root = math.sqrt(square)
+    return {
+        "omega0_squared": Quantity(square, square * relative, "1/s²"),
+        "natural_frequency": Quantity(root, 0.5 * root * relative, "rad/s"),
+        "period": Quantity(2.0 * math.pi / root, math.pi / root * relative, "s"),
+    }

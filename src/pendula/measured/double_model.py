@@ -16,6 +16,7 @@ if TYPE_CHECKING:
 
 JOINTS = ("viscous1", "viscous2", "coulomb1", "coulomb2")
 SHAPE = ("B_over_A", "C_over_A", "D_over_A", "E_over_A")
+OFFSETS = ("angle_offset1", "angle_offset2")
 STATE = ("theta1", "theta2", "omega1", "omega2")
 _SECOND = 0.5  # mass of the second body that stands for it; whatever it is, the motion is the same
 
@@ -30,6 +31,16 @@ class DoubleModel:
 
     quantity: str = "angle"
     tolerance: float = TOLERANCE
+
+    @property
+    def bodies(self) -> int:
+        """How many angles it has."""
+        return 2
+
+    @property
+    def shape(self) -> dict[str, float]:
+        """What is known of its shape beforehand: nothing."""
+        return {}
 
     @property
     def rows(self) -> tuple[Row, ...]:

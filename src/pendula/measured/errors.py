@@ -26,7 +26,8 @@ _PROBABILITY = 0.9545  # of two standard errors to either side
 _FEWEST, _MOST = 8, 25  # blocks
 _BLOCK = 5.0  # autocorrelation times that a block is long, at least
 _CHANCE = 0.001  # that blocks scatter so much by chance: below it they are believed
-_FLAT = 1e-10  # of the largest singular value: a direction that the data do not tell
+_PART = 1e-5  # of the largest: what a flat direction consists of
+_FLAT = 1e-7  # of the largest singular value: a direction that the data do not tell
 
 
 @dataclass(frozen=True, eq=False)
@@ -35,13 +36,13 @@ class Errors:
 
     Attributes:
         covariance: the one to be believed, (k, k).
-        standard: its standard errors, (k,).
+        standard: its standard errors, (k,); infinite: the data do not tell it by itself.
         plain: as if the residuals were independent, (k,).
         kinds: by name: of the noise's autocorrelation, and of blocks, (k,) each.
         noises: of each column of each recording.
         times: integrated autocorrelation times of their residuals, in samples.
         effective: independent samples that carry as much.
-        flat: directions (k,) in which the data tell nothing.
+        flat: directions (k,) in which the data tell nothing, in units of what each parameter does.
     """
 
     covariance: Array
@@ -52,6 +53,13 @@ class Errors:
     times: list[float]
     effective: float
     flat: list[Array]
+
+    def untold(self, names: tuple[str, ...]) -> list[tuple[str, ...]]:
+        """Names of what the data hold only together, a group for each flat direction."""
+        return [
+            tuple(n for n, d in zip(names, each, strict=True) if abs(d) > _PART * abs(each).max())
+            for each in self.flat
+        ]
 
 
 def errors_of(problem: Problem, x: Array) -> Errors:
@@ -81,20 +89,23 @@ def errors_of(problem: Problem, x: Array) -> Errors:
     modelled = modelled * _student(series, noises, inverse, modelled)
     times = [autocorrelation_time(each.residuals) for each in series]
     scattered, trusted = _of_blocks(series, times, inverse)
-    factor = np.where(scattered > trusted * modelled, scattered / modelled, 1.0)
+    least = np.maximum(modelled, 1e-300)
+    factor = np.where(scattered > trusted * modelled, scattered / least, 1.0)
     standard = modelled * factor
     widened = standard / np.sqrt(np.maximum(np.diagonal(covariance), 1e-300))
     rest = np.concatenate([each.residuals for each in series])
     variance = float(np.sum(rest**2)) / max(len(rest) - len(x), 1)
+    flat = list(directions[~good])
+    untold = np.any([abs(each) > _PART * abs(each).max() for each in flat], axis=0)
     return Errors(
         covariance * np.outer(widened, widened),
-        standard,
+        np.where(untold, np.inf, standard),
         np.sqrt(variance * np.maximum(np.diagonal(inverse), 0.0)),
         {"autocorrelation": modelled, "blocks": scattered},
         noises,
         times,
         float(sum(len(s.residuals) / tau for s, tau in zip(series, times, strict=True))),
-        [each / size for each in directions[~good]],
+        flat,
     )
 
 
@@ -121,7 +132,7 @@ def _student(series: list[Series], noises: list[Noise], inverse: Array, modelled
         low, high = (filtered(each, *noise.varied(side)) for side in (-0.5, 0.5))
         spread = (inverse @ (high - low) @ inverse).diagonal()
         # of the logarithm of the standard error, by the noise's autocorrelation and its variance
-        uncertain += (0.5 * spread / modelled**2) ** 2 + 0.5 / noise.freedom
+        uncertain += (0.5 * spread / np.maximum(modelled**2, 1e-300)) ** 2 + 0.5 / noise.freedom
     freedom = np.maximum(0.5 / np.maximum(uncertain, 1e-12), 2.0)
     return np.asarray(special.stdtrit(freedom, 0.5 + 0.5 * _PROBABILITY) / 2.0)
 

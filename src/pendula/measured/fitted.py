@@ -108,8 +108,8 @@ class Fit:
         n_effective: how many independent samples carry as much.
         at_bounds: parameters that ended at a bound: friction of zero.
         unphysical: parameters whose value no pendulum has: negative friction.
-        not_told_apart: pairs of parameters, or of names of what the data hold only together, such
-            as ("gravity", "length").
+        not_told_apart: parameters, or names, of what the data hold only together, such as
+            ("gravity", "length").
         derived: what follows from the values: "gravity", "length", "damping_rate",
             "quality_factor", "period" of small swings ...
         aic: Akaike's criterion by the effective number of samples.
@@ -138,7 +138,7 @@ class Fit:
     n_effective: float
     at_bounds: tuple[str, ...]
     unphysical: tuple[str, ...]
-    not_told_apart: tuple[tuple[str, str], ...]
+    not_told_apart: tuple[tuple[str, ...], ...]
     derived: Mapping[str, Quantity]
     aic: float
     bic: float

@@ -55,7 +55,7 @@ def climbed(
             smaller = _only(problem, chosen)
             if count == 1:
                 start = _begun(smaller, first, length, *chosen)
-                found[chosen] = _grown(smaller, start, length, robust=robust)
+                found[chosen] = grown(smaller, start, length, robust=robust)
             else:
                 best = min((found[chosen - {name}] for name in chosen), key=_rms)
                 found[chosen] = minimise(
@@ -66,7 +66,7 @@ def climbed(
                 )
     if not frictions:
         start = _begun(problem, first, length, "")
-        return minimise(problem, _grown(problem, start, length, robust=robust).x, robust=robust)
+        return minimise(problem, grown(problem, start, length, robust=robust).x, robust=robust)
     return minimise(problem, _filled(problem, found[frozenset(frictions)]), robust=robust)
 
 
@@ -113,8 +113,8 @@ def _begun(problem: Problem, first: Mapping[str, float], length: float, friction
     return np.array([values.get(name, 0.0) for name in problem.names])
 
 
-def _grown(problem: Problem, start: Array, length: float, *, robust: bool) -> Optimum:
-    """The optimum over the whole record, by way of windows from its start."""
+def grown(problem: Problem, start: Array, length: float, *, robust: bool) -> Optimum:
+    """The optimum over the whole record, roughly, by way of windows from its start."""
     span = max(float(each.t[-1] - each.t[0]) for each in problem.recordings)
     x = start
     while length < _NEARLY * span:

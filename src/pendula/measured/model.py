@@ -19,7 +19,7 @@ DRIVE = ("torque", "drive_frequency", "drive_phase")
 TOLERANCE = 1e-10  # of the runs: far below what any encoder resolves
 ROUGH_TOLERANCE = 1e-6  # of those on the way to an optimum
 MOST_STEPS = 20_000  # of a run: beyond, the parameters are none that a pendulum has
-_SMALLEST = 1e-9  # of ω0² [1/s²]
+SMALLEST = 1e-9  # of ω0² [1/s²]
 
 
 class Row(NamedTuple):
@@ -44,7 +44,7 @@ class Row(NamedTuple):
 _MOTION = (
     Row("theta", "rad", "theta"),
     Row("omega", "rad/s", "omega"),
-    Row("omega0_squared", "1/s²", "gravity", 1.0, _SMALLEST),
+    Row("omega0_squared", "1/s²", "gravity", 1.0, SMALLEST),
     Row("viscous", "1/s", "viscous", 0.0, 0.0),
     Row("coulomb", "1/s²", "coulomb", 0.0, 0.0),
     Row("quadratic", "", "quadratic", 0.0, 0.0),
@@ -53,12 +53,12 @@ _MOTION = (
     Row("drive_frequency", "rad/s", "drive_frequency", 0.0, 0.0),
     Row("drive_phase", "rad", "drive_phase"),
 )
-_READING = {
+READING = {
     "angle": (Row("angle_offset", "rad"), Row("scale", "", "", 1.0)),
     "rate": (Row("rate_offset", "rad/s"), Row("scale", "", "", 1.0)),
     "acceleration": (
         Row("acceleration_offset", "m/s²"),
-        Row("sensor_radius", "m", "", 1.0, _SMALLEST),
+        Row("sensor_radius", "m", "", 1.0, SMALLEST),
         Row("gravity_seen", "", "", 0.0),  # 1 or 0, never fitted
     ),
 }
@@ -87,12 +87,12 @@ class SingleModel:
         motion: tuple[Row, ...] = _MOTION
         if self.linear:
             motion = tuple(each for each in _MOTION if each.name not in FRICTIONS[1:])
-        return (*motion, *_READING[self.quantity])
+        return (*motion, *READING[self.quantity])
 
     @property
     def offset(self) -> str:
         """Name of the offset of what is measured."""
-        return _READING[self.quantity][0].name
+        return READING[self.quantity][0].name
 
     def states(self, t: Array, values: Mapping[str, float]) -> Array:
         """Of the motion at the times, (n, 2) [rad, rad/s]; NaN where it is not finite.

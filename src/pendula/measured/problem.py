@@ -86,6 +86,7 @@ class Problem:
         shared: those of them that all recordings have in common.
         constants: values of those that are not fitted.
         free_signs: friction may be negative.
+        limits: least and largest values by name, in place of what is physical.
         kept: states of the last parameters, by their bytes.
     """
 
@@ -95,6 +96,7 @@ class Problem:
     shared: tuple[str, ...]
     constants: Mapping[str, float]
     free_signs: bool = False
+    limits: Mapping[str, tuple[float, float]] = field(default_factory=dict)
     kept: dict[bytes, list[Array]] = field(default_factory=dict, init=False, repr=False)
 
     @property
@@ -129,11 +131,15 @@ class Problem:
         """Least and largest values, (k,) each."""
         import numpy as np
 
-        lower = [
-            row.lower if row.lower != 0.0 or not self.free_signs else -math.inf
+        pairs = [
+            self.limits.get(
+                row.name,
+                (row.lower if row.lower != 0.0 or not self.free_signs else -math.inf, math.inf),
+            )
             for row in self.rows()
         ]
-        return np.array(lower), np.full(len(lower), math.inf)
+        lower, upper = zip(*pairs, strict=True)
+        return np.array(lower), np.array(upper)
 
     def values(self, i: int, x: Array) -> dict[str, float]:
         """All parameters of recording i by name."""

@@ -10,7 +10,6 @@ from typing import TYPE_CHECKING
 from pendula.measured.derived import derived_of
 from pendula.measured.errors import Errors, errors_of
 from pendula.measured.fitted import Fit, FittedRecording
-from pendula.measured.model import FRICTIONS
 from pendula.measured.problem import Optimum, Problem, minimise
 from pendula.measured.resampling import with_other_errors
 from pendula.measured.starts import MOST
@@ -44,7 +43,7 @@ def result_of(plan: Plan, problem: Problem, best: Optimum, viscous: float) -> Fi
     derived = _derived(plan, problem, best.x, errors.covariance)
     samples = sum(int(each.there.sum()) for each in problem.recordings)
     worth = errors.effective * math.log(best.rms**2)
-    bounds, unphysical = _signs(best, free=plan.signs == "free")
+    bounds, unphysical = _at_bounds(problem, best)
     made = Fit(
         model=plan.name,
         names=best.names,
@@ -61,7 +60,7 @@ def result_of(plan: Plan, problem: Problem, best: Optimum, viscous: float) -> Fi
         n_effective=errors.effective,
         at_bounds=bounds,
         unphysical=unphysical,
-        not_told_apart=_alike(best.names, correlation, derived),
+        not_told_apart=_alike(best.names, correlation, derived, errors),
         derived=derived,
         aic=worth + 2.0 * len(best.x),
         bic=worth + math.log(errors.effective) * len(best.x),
@@ -79,8 +78,8 @@ def _derived(plan: Plan, problem: Problem, x: Array, covariance: Array) -> dict[
 
     places = problem.places(0)
     own = covariance[np.ix_(places, places)]
-    constants = dict(problem.constants)
-    return derived_of(problem.free, x[places], own, constants, plan.length, plan.gravity)
+    values = problem.values(0, x)
+    return derived_of(problem.free, values, own, plan.length, plan.gravity)
 
 
 def _correlation(covariance: Array) -> Array:
@@ -90,15 +89,12 @@ def _correlation(covariance: Array) -> Array:
     return np.asarray(covariance / np.outer(scale, scale))
 
 
-def _signs(best: Optimum, *, free: bool) -> tuple[tuple[str, ...], tuple[str, ...]]:
-    """Frictions that ended at zero, where they may not be less, and negative ones."""
-    values = [
-        (name, x)
-        for name, x in zip(best.names, best.x.tolist(), strict=True)
-        if name.partition("[")[0].rstrip("12") in FRICTIONS
-    ]
-    bounds = tuple(name for name, x in values if x == 0.0 and not free)
-    return bounds, tuple(name for name, x in values if x < 0.0)
+def _at_bounds(problem: Problem, best: Optimum) -> tuple[tuple[str, ...], tuple[str, ...]]:
+    """Parameters that ended at a bound, and frictions that no pendulum has, negative ones."""
+    rows = zip(best.names, best.x.tolist(), problem.rows(), strict=True)
+    at = (best.x == each for each in problem.bounds())
+    bounds = tuple(name for name, *those in zip(best.names, *at, strict=True) if any(those))
+    return bounds, tuple(name for name, x, row in rows if row.lower == 0.0 and x < 0.0)
 
 
 def _recordings(problem: Problem, best: Optimum, errors: Errors) -> list[FittedRecording]:
@@ -157,18 +153,21 @@ def _quarters(problem: Problem, best: Optimum, i: int, states: Array) -> Array:
 
 
 def _alike(
-    names: tuple[str, ...], correlation: Array, derived: dict[str, Quantity]
-) -> tuple[tuple[str, str], ...]:
-    """Pairs that the data hold only together."""
+    names: tuple[str, ...], correlation: Array, derived: dict[str, Quantity], errors: Errors
+) -> tuple[tuple[str, ...], ...]:
+    """Names of what the data hold only together."""
+    groups = [each for each in errors.untold(names) if len(each) > 1]
     pairs = [
         (names[i], names[j])
         for i in range(len(names))
         for j in range(i)
         if abs(correlation[i, j]) > ALIKE
+        and not any({names[i], names[j]} <= set(each) for each in groups)
     ]
-    if "natural_frequency" in derived and not {"gravity", "length"} & set(derived):
+    known = {"gravity", "length"} & {*derived, *names} or "omega0_squared" in derived
+    if "natural_frequency" in derived and not known:
         pairs.append(("gravity", "length"))
-    return tuple(pairs)
+    return (*groups, *pairs)
 
 
 def _notes(made: Fit, errors: Errors, viscous: float) -> list[Note]:
@@ -188,7 +187,8 @@ def _notes(made: Fit, errors: Errors, viscous: float) -> list[Note]:
                 },
             )
         )
-    if (errors.standard > 1.001 * errors.kinds["autocorrelation"]).any():
+    told = np.isfinite(errors.standard)
+    if (errors.standard > 1.001 * errors.kinds["autocorrelation"])[told].any():
         notes.append(Note("structured", {"rms": made.rms, "unit": unit}))
     worth = made.n_effective
     if 2.0 * worth * math.log(made.rms / viscous) - math.log(worth) > _STRONG:
@@ -196,21 +196,23 @@ def _notes(made: Fit, errors: Errors, viscous: float) -> list[Note]:
     spread = np.nanstd(np.concatenate([each.measured for each in made.recordings]))
     if made.rms > _POOR * spread:
         notes.append(Note("poor", {"share": float(made.rms / spread)}))
-    notes += [Note("at_bound", {"name": name}) for name in made.at_bounds]
+    notes += [Note("at_bound", {"name": n, "bound": made[n].value}) for n in made.at_bounds]
     notes += [Note("unphysical", {"name": name}) for name in made.unphysical]
     notes += [*_by_quarters(made), *_untold(made, errors)]
-    g = made.derived.get("gravity")
-    if g is not None and not _EARTH[0] < g.value < _EARTH[1]:
-        beyond = min(abs(g.value - each) for each in _EARTH)
-        if beyond > 2.0 * g.standard_error:
-            ratio = 9.81 / g.value
-            notes.append(
-                Note(
-                    "gravity_unlikely",
-                    {"gravity": g.value, "times": math.sqrt(1.0 / ratio), "lengths": ratio},
-                )
-            )
-    return notes
+    return [*notes, *_of_gravity(made)]
+
+
+def _of_gravity(made: Fit) -> list[Note]:
+    """That g is none of the Earth's, which a wrong frame rate or scale makes it."""
+    if "gravity" not in {*made.derived, *made.names}:
+        return []
+    g = made["gravity"]
+    beyond = min(abs(g.value - each) for each in _EARTH)
+    if _EARTH[0] < g.value < _EARTH[1] or beyond <= 2.0 * g.standard_error:
+        return []
+    ratio = 9.81 / g.value
+    told = {"gravity": g.value, "times": math.sqrt(1.0 / ratio), "lengths": ratio}
+    return [Note("gravity_unlikely", told)]
 
 
 def _by_quarters(made: Fit) -> list[Note]:
@@ -224,23 +226,12 @@ def _by_quarters(made: Fit) -> list[Note]:
 
 def _untold(made: Fit, errors: Errors) -> list[Note]:
     """Parameters that the data do not tell, or not apart."""
-    notes = []
-    for first, second in made.not_told_apart:
-        if first == "gravity":
+    notes = [Note("flat", {"names": names}) for names in errors.untold(made.names)]
+    for names in made.not_told_apart:
+        if names == ("gravity", "length") and "gravity" not in made.names:
             notes.append(Note("only_ratio"))
-            continue
-        i, j = made.names.index(first), made.names.index(second)
-        notes.append(
-            Note(
-                "alike",
-                {"first": first, "second": second, "correlation": float(made.correlation[i, j])},
-            )
-        )
-    for direction in errors.flat:
-        names = tuple(
-            n
-            for n, d in zip(made.names, direction, strict=True)
-            if abs(d) > 0.1 * abs(direction).max()
-        )
-        notes.append(Note("flat", {"names": names}))
+        elif names not in errors.untold(made.names):
+            i, j = (made.names.index(each) for each in names)
+            told = {"first": names[0], "second": names[1]}
+            notes.append(Note("alike", {**told, "correlation": float(made.correlation[i, j])}))
     return notes

@@ -8,10 +8,11 @@ from itertools import pairwise
 from typing import TYPE_CHECKING
 
 from pendula._checks import extra
-from pendula.measured.double_model import JOINTS, SHAPE, STATE
+from pendula.measured.double_model import JOINTS, SHAPE, STATE, DoubleModel
 from pendula.measured.fitted import Horizon
 from pendula.measured.problem import Optimum, Problem, Sampled, minimise
 from pendula.measured.starts import MOST, main_frequency
+from pendula.measured.system_model import SystemModel
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -90,8 +91,10 @@ def _grown(problem: Problem, *, robust: bool) -> tuple[Array, float]:
 
     recording = problem.recordings[0]
     span = float(recording.t[-1] - recording.t[0])
-    first = _first_values(recording, problem.constants)
-    x = np.array([first.get(name, 0.0) for name in problem.names])
+    assert isinstance(problem.model, DoubleModel | SystemModel)
+    known = {row.name: row.standard for row in problem.rows()}
+    known |= _first_values(recording, {**problem.constants, **problem.model.shape})
+    x = np.array([known[name] for name in problem.names])
     length, followed = _FIRST * 2.0 * math.pi / main_frequency(recording), 0.0
     while followed < span:
         length = min(length, span)

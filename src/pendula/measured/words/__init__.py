@@ -69,6 +69,6 @@ def _shown(value: object, words: Mapping[str, Mapping[str, str]]) -> str:
 def _name(name: str, names: Mapping[str, str]) -> str:
     """A name in words, with the number of its recording or joint behind it."""
     plain, bracket, number = name.partition("[")
-    joint = plain[-1:] if plain[-1:] in "12" and plain not in names else ""
+    joint = plain[-1:] if plain not in names and plain[:-1] in names else ""
     kind = plain.removesuffix(joint) if joint else plain
     return " ".join(part for part in (names.get(kind, kind), joint) if part) + bracket + number

@@ -81,6 +81,8 @@ def period_facts(
 def value_rows(fit: Fit, language: str, catalog: Mapping[str, Any]) -> list[list[str]]:
     """Name and rounded value of everything that was fitted, and of what follows from it."""
     fitted = [(name, fit[name]) for name in fit.names]
+    if not isinstance(fit.recipe.get("system", ""), str):  # of a system, by its own parameters
+        catalog = {**catalog, "quantities": catalog["quantities"] | catalog["parameters"]}
     return [
         [_named(name, catalog), with_uncertainty(*each, language=language)]
         for name, each in (*fit.derived.items(), *fitted)
