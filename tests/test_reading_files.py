@@ -119,6 +119,14 @@ def test_angles_of_tracker_that_do_not_state_their_unit(label: str, tmp_path: Pa
     np.testing.assert_allclose(found.values[:, 0], SWING, rtol=0, atol=1e-6)
 
 
+def test_positions_of_two_bobs_go_before_the_angle_of_one(tmp_path: Path) -> None:
+    x, y = 0.6 * np.sin(SWING), -0.6 * np.cos(SWING)
+    columns = (T, x, y, DEGREES, x + np.sin(OTHER_SWING), y - np.cos(OTHER_SWING))
+    content = text(",mass A,,,mass B,,", "t,x,y,θ,x,y,", [f"{line}," for line in rows(*columns)])
+    found = measured(tmp_path / "a.txt", content, unit="m")
+    assert found.names == ("x1", "y1", "x2", "y2")
+
+
 TRACK = """<object class="org.opensourcephysics.cabrillo.tracker.{kind}">
 <property name="name" type="string">{name}</property>
 <property name="framedata" type="array">{frames}</property></object>"""

@@ -44,6 +44,10 @@ FILES: dict[str, str | bytes] = {
     "PASCO": "\ufeff" + text("Time (s) Run #1,Angle (°) Run #1", COMMA_DEGREES),
     "a title above": text("Experiment 3, 12.1.2024", "", "length,0.6", "t,θ (°)", COMMA_DEGREES),
     "comments above": text("# by hand", "# L = 0.6", "# t theta", rows(T, DEGREES, separator=" ")),
+    "numbers in a comment": text("# t theta", "# 0.6 0.2 1", rows(T, DEGREES, separator=" ")),
+    "a header of units and blanks": text(
+        "Time (s) Angle (deg) Angular velocity (rad/s)", rows(T, DEGREES, RATE, separator=" ")
+    ),
     "no header": text(COMMA_DEGREES),
     "no header, commas and blanks": text(rows(T, DEGREES, separator=", ")),
     "no header, decimal commas": text(rows(T, DEGREES, separator="  ", mark=",")),

@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from pendula._types import Array
 
 _COMMENT = re.compile(r"\s*(?:#|%|//|!|')+\s?(.*)")
+_LETTER = re.compile(r"[^\W\d_]")
 _WORDS = re.compile(r"\s{2,}|\t+")
 _WITH_UNITS = re.compile(r"[^()\[\]]+[(\[][^)\]]*[)\]]")
 _LABELS = re.compile(r"[^\s(\[]+(?:\s*[(\[][^)\]]*[)\]])?")
@@ -95,7 +96,7 @@ def _rows_before(
     """The cells of the lines above the numbers; of several comments only the last is one."""
     rows: list[list[str]] = []
     for line, comment in reversed(lines):
-        if not line.strip() or line.startswith("multi:"):
+        if not _LETTER.search(line) or line.startswith("multi:"):
             continue
         cells = _header_cells(line, dialect, width)
         if comment and len(cells) < width:
