@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 _FIRST = 0.75  # periods of the main oscillation: the first window
 _GROWS = 1.6  # times as long is the next
 _LOST = 0.1  # rad: residuals of a window that is not followed to its end
-_SHORTEST = 40.0  # samples of a window
+_SHORTEST = 100.0  # samples of a window
 _SMOOTH = 12.0  # parts of a period that a smoothing polynomial spans
 _DEGREE = 4  # of it
 _DEFINITE = 1.05
