@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from pendula.measured import Measurement, compare_models
+from pendula.measured.compare import preferred_of
 from simulated import clean, correlated, of_angle
 from test_fit import long_swing, small_swing, video_runs
 
@@ -101,3 +102,14 @@ def test_the_table_has_a_row_a_model() -> None:
     assert "gravity" in found.best.derived
     with pytest.raises(ValueError, match="models must be one of undamped"):
         compare_models(clean(), ["glue"])
+
+
+def test_drag_is_not_preferred_without_its_viscous_part_where_both_are_better() -> None:
+    made = compare_models(clean(viscous=0.05), ["viscous", "quadratic", "viscous + quadratic"])
+    rows = [
+        row._replace(bic=bic, rms=rms, admitted=True)
+        for row, bic, rms in zip(made.rows, (90.0, 5.0, 0.0), (2.0, 1.0, 1.0), strict=True)
+    ]
+    assert preferred_of(rows).model == "viscous + quadratic"
+    rows[0] = rows[0]._replace(bic=5.0)
+    assert preferred_of(rows).model == "viscous"

@@ -166,7 +166,7 @@ def compare_models(
         )
         for each, made in fits.items()
     )
-    preferred = _preferred(rows)
+    preferred = preferred_of(rows)
     shares = energy_shares(preferred.fit)
     found = Comparison(
         rows,
@@ -200,7 +200,7 @@ def _rms(made: Fit) -> float:
     return made.rms
 
 
-def _preferred(rows: Sequence[Compared]) -> Compared:
+def preferred_of(rows: Sequence[Compared]) -> Compared:
     """The simplest of the admitted models that are about as good as the best of them.
 
     Among equally simple ones the usual order of frictions decides, unless one is clearly better.

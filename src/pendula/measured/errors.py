@@ -85,7 +85,7 @@ def errors_of(problem: Problem, x: Array) -> Errors:
     noises = [noise_of(each) for each in series]
     middle = sum(filtered(s, *n.varied()) for s, n in zip(series, noises, strict=True))
     covariance = inverse @ middle @ inverse
-    modelled = np.sqrt(np.maximum(np.diagonal(covariance), 0.0))
+    modelled = np.sqrt(np.maximum(np.diagonal(covariance), 1e-300))
     modelled = modelled * _student(series, noises, inverse, modelled)
     times = [autocorrelation_time(each.residuals) for each in series]
     scattered, trusted = _of_blocks(series, times, inverse)

@@ -121,10 +121,11 @@ def triangle(matrix: Array) -> Array:
     import numpy as np
 
     n, k = matrix.shape
-    parts = -(-n // _ROWS)
-    padded = np.zeros((parts * _ROWS, k))
+    rows = max(_ROWS, 4 * k)
+    parts = -(-n // rows)
+    padded = np.zeros((parts * rows, k))
     padded[:n] = matrix
-    stacked = np.array(np.linalg.qr(padded.reshape(parts, _ROWS, k), mode="r"))
+    stacked = np.array(np.linalg.qr(padded.reshape(parts, rows, k), mode="r"))
     if parts == 1:
         return np.asarray(stacked[0])
     return triangle(stacked.reshape(-1, k))

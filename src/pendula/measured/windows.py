@@ -22,7 +22,8 @@ if TYPE_CHECKING:
 
 _FIRST = 0.75  # periods of the main oscillation: the first window
 _GROWS = 1.6  # times as long is the next
-_LOST = 0.3  # rad: residuals of a window that has not been understood
+_LOST = 0.1  # rad: residuals of a window that is not followed to its end
+_SHORTEST = 100.0  # samples of a window
 _SMOOTH = 12.0  # parts of a period that a smoothing polynomial spans
 _DEGREE = 4  # of it
 _DEFINITE = 1.05
@@ -43,22 +44,34 @@ def shot(problem: Problem, *, robust: bool = False) -> tuple[Problem, Optimum]:
     """
     import numpy as np
 
+    whole = problem.recordings[0]
+    first = problem.of([whole])
+    best, followed = _grown(first, robust=robust)
     if len(problem.recordings) == 1:
-        best, followed = _grown(problem, robust=robust)
-        whole = problem.recordings[0]
         if followed >= float(whole.t[-1] - whole.t[0]):
             return problem, minimise(problem, best, robust=robust)
-        names, problem = problem.names, problem.of(cut(whole, followed))
-        known = dict(zip(names, best.tolist(), strict=True))
-    else:
-        first = problem.of(problem.recordings[:1])
-        known = dict(zip(first.names, _grown(first, robust=robust)[0].tolist(), strict=True))
-    start = dict(known)
-    for i, each in enumerate(problem.recordings):
-        own, _ = _grown(_held(problem, known).of([each]), robust=robust)
-        start |= {f"{n}[{i + 1}]": x for n, x in zip(_own(problem), own.tolist(), strict=True)}
+        problem = problem.of(cut(whole, followed))
+    known = dict(zip(first.names, best.tolist(), strict=True))
+    start, lost = _starts(problem, known, robust=robust)
+    while lost and followed > _SHORTEST * float(np.median(np.diff(whole.t))):
+        followed *= 0.5
+        problem = problem.of([part for each in problem.recordings for part in cut(each, followed)])
+        start, lost = _starts(problem, known, robust=robust)
     begin = np.array([start[name] for name in problem.names])
     return problem, minimise(problem, begin, robust=robust)
+
+
+def _starts(
+    problem: Problem, known: Mapping[str, float], *, robust: bool
+) -> tuple[dict[str, float], bool]:
+    """Parameters of each window, what they share as known; and whether one was not followed."""
+    start, lost = dict(known), False
+    for i, each in enumerate(problem.recordings):
+        own, followed = _grown(_held(problem, known).of([each]), robust=robust)
+        lost = lost or followed < float(each.t[-1] - each.t[0])
+        mark = f"[{i + 1}]" if len(problem.recordings) > 1 else ""
+        start |= {f"{n}{mark}": x for n, x in zip(_own(problem), own.tolist(), strict=True)}
+    return start, lost
 
 
 def cut(recording: Sampled, length: float) -> list[Sampled]:
