@@ -100,7 +100,7 @@ def errors_of(problem: Problem, x: Array) -> Errors:
     return Errors(
         covariance * np.outer(widened, widened),
         np.where(untold, np.inf, standard),
-        np.sqrt(variance * np.maximum(np.diagonal(inverse), 0.0)),
+        np.where(untold, np.inf, np.sqrt(variance * np.maximum(np.diagonal(inverse), 0.0))),
         {"autocorrelation": modelled, "blocks": scattered},
         noises,
         times,

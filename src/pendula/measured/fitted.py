@@ -6,6 +6,7 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from pendula._late_methods import with_promised
+from pendula.measured.storable import Storable
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -82,7 +83,7 @@ class FittedRecording:
 
 @with_promised
 @dataclass(frozen=True, eq=False)
-class Fit:
+class Fit(Storable):
     """A model of a pendulum fitted to one recording or to several.
 
     Frictions are those of θ̈ = −ω0² sin θ − b ω − c sgn ω − q |ω| ω − r ω³, torques over inertia.

@@ -6,16 +6,19 @@ from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any
 
 from pendula._checks import positive_number
+from pendula._late_methods import with_promised
 from pendula._messages import ArgumentError
 from pendula._tables import html_table
 from pendula.measured.asked_of_file import window_of
 from pendula.measured.circle import Circle
 from pendula.measured.outliers import outliers_of
 from pendula.measured.positions import angles_about, pivot_circle
+from pendula.measured.storable import Storable
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Mapping
 
+    from matplotlib.figure import Figure
     from numpy.typing import ArrayLike, NDArray
 
     from pendula._types import Array
@@ -24,8 +27,9 @@ _EVEN = 1e-3  # of a step, by which steps of an even recording may differ
 _NAMES = {1: ("theta",), 2: ("theta1", "theta2")}
 
 
+@with_promised
 @dataclass(frozen=True, eq=False)
-class Measurement:
+class Measurement(Storable):
     """What was measured of one motion, in SI units (or pixels).
 
     Attributes:
@@ -176,6 +180,11 @@ class Measurement:
             notes=(*self.notes, note),
         )
 
+    if TYPE_CHECKING:  # attached by the module that defines it
+
+        def plot(self, *, language: str = "en") -> Figure:
+            """See `pendula.plot.recorded.plot`."""
+
     def _lengths(self, circle: Circle) -> dict[str, float]:
         """The length, or both, by their names."""
         import numpy as np
@@ -219,7 +228,7 @@ class Measurement:
 
 
 @dataclass(frozen=True, eq=False)
-class PeriodTable:
+class PeriodTable(Storable):
     """Periods measured at several lengths, or at several amplitudes.
 
     Attributes:

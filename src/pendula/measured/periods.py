@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
-from typing import TYPE_CHECKING, NamedTuple
+from dataclasses import asdict, dataclass, field, replace
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from pendula._checks import extra, positive_number
 from pendula._late_methods import with_promised
@@ -13,9 +13,10 @@ from pendula.measured.period_checks import checked_corrections, checked_table, r
 from pendula.measured.period_corrections import Apparatus
 from pendula.measured.period_lines import Line, Table, by_amplitude, by_length
 from pendula.measured.period_scatter import Scatter, scatter_of
+from pendula.measured.storable import Storable
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable
+    from collections.abc import Iterable, Mapping
     from os import PathLike
     from pathlib import Path
 
@@ -43,7 +44,7 @@ class AppliedCorrection(NamedTuple):
 
 @with_promised
 @dataclass(frozen=True, eq=False)
-class PeriodFit:
+class PeriodFit(Storable):
     """What a table of periods says.
 
     Attributes:
@@ -65,6 +66,7 @@ class PeriodFit:
         residuals: measured less fitted, (n,) [s].
         errors: of the measured periods beside the law, (n,) [s]; as large as they scatter.
         corrections: those that were made, in the order of `CORRECTIONS`.
+        recipe: the arguments of `fit_periods` but for the table, as JSON has them.
     """
 
     table: PeriodTable
@@ -80,6 +82,7 @@ class PeriodFit:
     residuals: Array
     errors: Array
     corrections: tuple[AppliedCorrection, ...]
+    recipe: Mapping[str, Any] = field(default_factory=dict)
 
     def __getitem__(self, name: str) -> Quantity:
         """A parameter by its name."""
@@ -168,7 +171,15 @@ def fit_periods(
         AppliedCorrection(each, _change(checked.law, found, line(set(names) - {each}, scatter)))
         for each in names
     )
-    return _told(table, checked, found, judged, changes, ruler)
+    recipe = {
+        "apparatus": None if apparatus is None else asdict(apparatus),
+        "corrections": tuple(names),
+        "length": None if length is None else positive_number("length", length, "m"),
+        "timing_error": timing,
+        "length_error": ruler,
+        "amplitude_error": protractor,
+    }
+    return replace(_told(table, checked, found, judged, changes, ruler), recipe=recipe)
 
 
 class _Judged(NamedTuple):
