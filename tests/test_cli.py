@@ -268,10 +268,11 @@ def test_study_hands_on_what_was_asked_for(call: Call, monkeypatch: pytest.Monke
         language: str,
         *,
         figures: tuple[str, ...],
+        measured: object,
         overwrite: bool,
         progress: Callable[[str, float], None],
     ) -> Path:
-        seen.extend([recipe, out, language, figures, overwrite])
+        seen.extend([recipe, out, language, figures, measured, overwrite])
         for share in (0.0, 0.25, 0.5):
             progress("drawing" if share else "solving", share)
         return out
@@ -281,4 +282,4 @@ def test_study_hands_on_what_was_asked_for(call: Call, monkeypatch: pytest.Monke
     code, printed, told = call("study mine.toml --out folder --lang es --figures png --force")
     assert (code, printed) == (0, f"{Path('folder/report.html')}\n")
     assert told.splitlines() == ["  0% solving", " 25% drawing"]
-    assert seen == [Path("mine.toml"), Path("folder"), "es", ("png",), True]
+    assert seen == [Path("mine.toml"), Path("folder"), "es", ("png",), None, True]

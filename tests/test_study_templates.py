@@ -33,7 +33,7 @@ def test_both_languages_have_the_same_files_and_words() -> None:
     assert files[0] == files[1]
     english, spanish = (report.catalogue(language) for language in ("en", "es"))
     assert english.keys() == spanish.keys()
-    for part in ("progress", "systems", "replay"):
+    for part in ("progress", "systems", "replay", "measured", "quantities", "corrections"):
         assert english[part].keys() == spanish[part].keys()
 
 

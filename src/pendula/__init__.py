@@ -39,6 +39,7 @@ _MODULES = (
     "events",
     "io",
     "maps",
+    "measured",
     "plot",
     "sampling",
     "study",
@@ -52,6 +53,11 @@ _OF_A_RUN = ("exact", "events", "sections", "solve", "trajectory", "trust")
 promise("Trajectory", "pendula.io", "save", "to_pandas", "to_xarray")
 promise("Ensemble", "pendula.many.tables", "save", "to_pandas", "to_xarray")
 promise("Trajectory", "pendula.plot", "animate", "plot")
+promise("Storable", "pendula.io.measured", "save", "to_pandas", "to_xarray")
+promise("Measurement", "pendula.plot.recorded", "plot")
+promise("Fit", "pendula.study.measured.report", "report")
+promise("Comparison", "pendula.study.measured.report", "report")
+promise("PeriodFit", "pendula.study.measured.report", "report")
 
 if TYPE_CHECKING:
     from pendula import elliptic, events

@@ -10,6 +10,7 @@ if TYPE_CHECKING:
 KEY = "pendula"  # what they were made from, as JSON
 UNFINISHED = "unfinished"  # of a store whose chunks are not all there
 _KINDS = {  # of files, by keys of their description
+    "recording or fit": {"measured"},
     "sweep": {"sweep"},
     "map": {"map"},
     "ensemble": {"ensemble"},

@@ -18,6 +18,7 @@ from pendula.cli import (
     animate,
     compare,
     exact,
+    fit,
     map,
     methods,
     period,
@@ -58,7 +59,7 @@ def _pendula() -> None:
     """A laboratory for the simple and the double pendulum."""
 
 
-for module in (solve, exact, period, methods, compare, map, sweep, animate, show, study):
+for module in (solve, exact, period, methods, compare, map, sweep, animate, show, fit, study):
     _pendula.add_command(module.command)
 
 

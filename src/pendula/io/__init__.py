@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, cast
 
@@ -63,10 +64,14 @@ def check_target(path: str | PathLike[str], *, overwrite: bool = False) -> None:
     refuse_existing(target, overwrite=overwrite)
 
 
-def load(path: str | PathLike[str]) -> Trajectory:
-    """Read a trajectory that `save` wrote, if it is all there: counts and checksums are compared.
+def load(path: str | PathLike[str]) -> Any:
+    """Read what `save` wrote, if it is all there: counts and checksums are compared.
 
     A file of an earlier version, without checksums, is read with an `UncheckedFileWarning`.
+
+    Returns:
+        What was saved: a `Trajectory`, or of `pendula.measured` a `Measurement`, a `PeriodTable`, a
+        `Fit` or a `PeriodFit`.
 
     Raises:
         ValueError: for another ending, a file that pendula did not write, or a damaged one: a line
@@ -74,23 +79,40 @@ def load(path: str | PathLike[str]) -> Trajectory:
         FileNotFoundError: where there is no such file.
     """
     source = Path(path)
-    run, known = _loaded(source)
+    found, known = _loaded(source)
     warn_unchecked(known, source)
-    return run
+    return found
 
 
-def rerun(path: str | PathLike[str]) -> Trajectory:
-    """Run a saved trajectory again, from its own attributes alone; the same numbers bit for bit.
+def rerun(path: str | PathLike[str]) -> Any:
+    """Make again what is saved, from its own attributes alone; the same numbers bit for bit.
+
+    Returns:
+        The trajectory run again, the fit fitted again, on the same machine with the same bits, or
+        the recording read again, from the file it was read from.
 
     Raises:
         ValueError, FileNotFoundError: as for `load`.
     """
-    from pendula.run.exact import exact
-    from pendula.run.solve import solve
-
     source = Path(path)
     old, known = _loaded(source)
     warn_unchecked(known, source)
+    if isinstance(old, Trajectory):
+        return _run_again(old, source)
+    from pendula.io import measured
+
+    try:
+        return measured.again(old, source)
+    except NotATrajectoryError:
+        raise
+    except ValueError as error:
+        raise NotATrajectoryError(f"{source} cannot be run again: {one_line(error)}") from error
+
+
+def _run_again(old: Trajectory, source: Path) -> Trajectory:
+    from pendula.run.exact import exact
+    from pendula.run.solve import solve
+
     asked = old.request
     try:
         if old.method == "exact":
@@ -101,13 +123,23 @@ def rerun(path: str | PathLike[str]) -> Trajectory:
         raise NotATrajectoryError(f"{source} cannot be run again: {one_line(error)}") from error
 
 
-def _loaded(source: Path) -> tuple[Trajectory, dict[str, Any]]:
-    """A trajectory and its recipe."""
-    _, read = files.FORMATS[_ending(source)]
+def _loaded(source: Path) -> tuple[Any, dict[str, Any]]:
+    """What was saved, and its recipe."""
+    is_json = source.suffix.lower() == ".json"
+    read = None if is_json else files.FORMATS[_ending(source)][1]
     if not source.exists():
         raise FileNotFoundError(f"no such file: {source}")
     try:
+        if read is None:
+            from pendula.io import measured
+
+            return measured.load_json(source), {"checksum": ""}
         with read(source) as stored:
+            told = _measured(stored.recipe)
+            if told is not None:
+                from pendula.io import measured
+
+                return measured.from_stored(told, stored, source), {"checksum": ""}
             known = recipe_of(stored, source)
             table = Whole(known, stored, source).table()
         run = from_attributes(known, *table, source)
@@ -120,6 +152,15 @@ def _loaded(source: Path) -> tuple[Trajectory, dict[str, Any]]:
         raise NotATrajectoryError(
             f"{source} cannot be read as a trajectory of pendula: {one_line(error)}"
         ) from error
+
+
+def _measured(recipe: str) -> dict[str, Any] | None:
+    """The recipe of a recording or a fit; None: of something else."""
+    try:
+        known = json.loads(recipe)
+    except (RecursionError, ValueError):
+        return None
+    return known if isinstance(known, dict) and "measured" in known else None
 
 
 def _ending(path: Path) -> str:

@@ -21,6 +21,8 @@ if TYPE_CHECKING:
     from collections.abc import Iterator
     from pathlib import Path
 
+    import xarray as xr
+
     from pendula.run.trajectory import Trajectory
 
 _SEAL = re.compile(rb"\npendula blake2b ([0-9a-f]+)\n\Z")
@@ -30,9 +32,14 @@ _HEADER = 16  # bytes in front of the objects of a heap, and of each object
 
 
 def write_netcdf(trajectory: Trajectory, path: Path) -> None:
-    """Write with h5netcdf, and seal."""
+    """Write a trajectory with h5netcdf, and seal."""
+    write_sealed(stored_dataset(trajectory), path)
+
+
+def write_sealed(dataset: xr.Dataset, path: Path) -> None:
+    """Write any dataset, with a seal behind."""
     extra("h5netcdf", "io")
-    stored_dataset(trajectory).to_netcdf(path, engine="h5netcdf")
+    dataset.to_netcdf(path, engine="h5netcdf")
     checksum = of_bytes(path.read_bytes())
     with path.open("ab") as file:
         file.write(f"\npendula blake2b {checksum}\n".encode())

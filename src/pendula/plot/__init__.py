@@ -6,6 +6,16 @@ matplotlib is imported by the first figure drawn.
 from pendula.plot.animation import animate
 from pendula.plot.comparison import angles, convergence, parting, series, tip_paths
 from pendula.plot.maps import divergence_map, flip_map, stored_map
+from pendula.plot.measured import (
+    damping,
+    measured_fit,
+    measured_methods,
+    measured_models,
+    measured_portrait,
+    period_of_amplitude,
+    residual_autocorrelation,
+)
+from pendula.plot.measured_periods import period_table
 from pendula.plot.overview import trajectory
 from pendula.plot.pendulum import elliptic_cost, linear_error, periods, phase_portrait
 from pendula.plot.style import picture, svg
@@ -15,14 +25,22 @@ __all__ = [
     "angles",
     "animate",
     "convergence",
+    "damping",
     "divergence_map",
     "elliptic_cost",
     "flip_map",
     "linear_error",
+    "measured_fit",
+    "measured_methods",
+    "measured_models",
+    "measured_portrait",
     "parting",
+    "period_of_amplitude",
+    "period_table",
     "periods",
     "phase_portrait",
     "picture",
+    "residual_autocorrelation",
     "series",
     "stored_map",
     "svg",

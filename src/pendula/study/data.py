@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 def write_data(results: Results, folder: Path) -> None:
     """Write every table of the study into a folder that exists, as NAME.csv."""
     for name, columns in _tables(results).items():
-        _write(folder / f"{name}.csv", columns)
+        write_table(folder / f"{name}.csv", columns)
 
 
 def _tables(results: Results) -> dict[str, Columns]:
@@ -144,7 +144,8 @@ def _count(n: int, thing: str) -> str:
     return f"{n} {thing}" if n == 1 else f"{n} {thing}s"
 
 
-def _write(path: Path, columns: Columns) -> None:
+def write_table(path: Path, columns: Columns) -> None:
+    """Write columns by their header; those that end before the longest have empty cells."""
     rows = zip_longest(*columns.values(), fillvalue="")
     lines = [",".join(map(_quoted, columns))]
     lines += [",".join(str(value) for value in row) for row in rows]

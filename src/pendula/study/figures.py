@@ -52,10 +52,7 @@ class Figures:
         """
         drawers = self._drawers()
         for done, (name, draw) in enumerate(drawers.items(), start=1):
-            figure = draw()
-            (folder / f"{name}.svg").write_bytes(plot.svg(figure))
-            for kind in also:
-                (folder / f"{name}.{kind}").write_bytes(plot.picture(figure, kind, _DOTS))
+            write_figure(draw(), folder, name, also)
             yield done / len(drawers)
 
     def _drawers(self) -> dict[str, Callable[[], Figure]]:
@@ -168,6 +165,13 @@ class Figures:
         tolerance = float(np.degrees(self._results.recipe.double.tolerance))
         t = double.reference.t
         return plot.parting(t, differences, moments, tolerance, **self._language)
+
+
+def write_figure(figure: Figure, folder: Path, name: str, also: Sequence[str]) -> None:
+    """Write a figure as NAME.svg, and as the other kinds."""
+    (folder / f"{name}.svg").write_bytes(plot.svg(figure))
+    for kind in also:
+        (folder / f"{name}.{kind}").write_bytes(plot.picture(figure, kind, _DOTS))
 
 
 def _degrees(differences: dict[str, Array]) -> dict[str, Array]:

@@ -21,13 +21,16 @@ def catalogue(language: str) -> dict[str, Any]:
     return tomllib.loads(file.read_text(encoding="utf-8"))
 
 
-def write_report(folder: Path, facts: dict[str, Any], motions: dict[str, Any]) -> None:
+def write_report(
+    folder: Path, facts: dict[str, Any], motions: dict[str, Any], *, main: str = "report.typ"
+) -> None:
     """Set report.html and report.pdf in a folder that has the study's figures.
 
     Args:
         folder: where `figures/` is.
         facts: what the text says in numbers, from `pendula.study.facts`.
         motions: what the page replays, from `pendula.study.motions`.
+        main: the template that the text begins with.
 
     Raises:
         MissingExtraError: without the package typst.
@@ -44,7 +47,7 @@ def write_report(folder: Path, facts: dict[str, Any], motions: dict[str, Any]) -
     for format_ in ("html", "pdf"):
         # Warnings are kept back: all there is says that HTML output is young.
         typst.compile_with_warnings(
-            str(build / "report.typ"),
+            str(build / main),
             output=str(folder / f"report.{format_}"),
             root=str(folder),
             format=format_,

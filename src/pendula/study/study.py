@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -21,6 +21,9 @@ if TYPE_CHECKING:
 
     from pendula._progress import StepProgress
     from pendula._recipe_file import RecipeSource
+    from pendula.measured.compare import Comparison
+    from pendula.measured.fitted import Fit
+    from pendula.measured.periods import PeriodFit
     from pendula.study.schema import Recipe
 
 KINDS = ("pdf", "png")  # of figures, besides SVG
@@ -39,6 +42,7 @@ def run_study(
     language: str = "en",
     *,
     figures: str | Sequence[str] = (),
+    measured: Fit | Comparison | PeriodFit | None = None,
     overwrite: bool = False,
     progress: StepProgress | bool | None = None,
 ) -> Path:
@@ -53,6 +57,8 @@ def run_study(
         out: the folder to make.
         language: of the report, "en" or "es".
         figures: kinds to write each figure as besides SVG: "pdf", "png" or both.
+        measured: a fitted recording, several models of one, or a fitted table of periods, which
+            gets a chapter; None: none does.
         overwrite: replace what stands at `out`, once the new study is complete.
         progress: called with what is being done and the share that is done, from 0 to 1; True: a
             bar, in a notebook or a terminal.
@@ -79,7 +85,7 @@ def run_study(
     _check_free(target, overwrite=overwrite)
     _make_parents(target)
     with replacing(target, overwrite=overwrite) as unfinished:
-        _write(recipe, unfinished, language, kinds, report)
+        _write(recipe, unfinished, language, kinds, measured, report)
         _check_free(target, overwrite=overwrite)
     return target
 
@@ -87,7 +93,12 @@ def run_study(
 # A method that blows up overflows, which the report says better than a warning.
 @np.errstate(over="ignore", invalid="ignore")
 def _write(
-    recipe: Recipe, folder: Path, language: str, kinds: Sequence[str], progress: StepProgress
+    recipe: Recipe,
+    folder: Path,
+    language: str,
+    kinds: Sequence[str],
+    measured: Fit | Comparison | PeriodFit | None,
+    progress: StepProgress,
 ) -> None:
     from pendula.study.data import write_data
     from pendula.study.facts import facts
@@ -112,9 +123,25 @@ def _write(
     for share in figures.write(folder / "figures", kinds):
         progress(doing["figures"], _FIGURES + share * (_REPORT - _FIGURES))
     data = facts(results, words, numbers, __version__) | {"words": catalog}
+    if measured is not None:
+        _add_chapter(measured, folder, kinds, data)
     progress(doing["report"], _REPORT)
     write_report(folder, data, motions(results, words, catalog["replay"]))
     progress(doing["report"], 1.0)
+
+
+def _add_chapter(
+    measured: Fit | Comparison | PeriodFit, folder: Path, kinds: Sequence[str], data: dict[str, Any]
+) -> None:
+    """Add what was measured: its figures and tables, and what the text reads."""
+    from pendula.study.measured.report import content_of, write_pieces
+
+    content = content_of(measured, data["language"], data["words"])
+    write_pieces(folder, content, kinds)
+    sections = data["report"]["sections"]
+    before = sections.index("errata") if "errata" in sections else len(sections)
+    sections.insert(before, content.text)
+    data |= content.facts
 
 
 def _check_free(target: Path, *, overwrite: bool) -> None:

@@ -1,0 +1,145 @@
+"""Nonlinear least squares within bounds that a solution may lie on exactly."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Protocol
+
+from pendula._checks import extra
+
+if TYPE_CHECKING:
+    from pendula._types import Array
+
+MOST_STEPS = 60
+_FIRST_DAMPING = 1e-4
+_LEAST_DAMPING = 1e-12
+_LARGEST_DAMPING = 1e12
+_ROWS = 256  # of a part of a tall matrix
+
+
+class Residuals(Protocol):
+    """What is to be made small."""
+
+    def residuals(self, x: Array) -> Array:
+        """(N,)."""
+
+    def jacobian(self, x: Array) -> Array:
+        """(N, k)."""
+
+
+def least_squares(
+    of: Residuals,
+    start: Array,
+    lower: Array,
+    upper: Array,
+    precision: float,
+    scale: float = 0.0,
+    most: int = MOST_STEPS,
+) -> tuple[Array, float]:
+    """Levenberg-Marquardt (Moré 1978), each step a bounded linear problem.
+
+    Friction often ends at zero. Methods that keep inside the bounds only creep there, and those
+    that hold a variable at its bound can stall when others are nearly collinear; here each step is
+    the exact solution of the linear problem with its bounds (Stark & Parker, Comput. Stat. 10
+    (1995) 129), by scipy.
+
+    Args:
+        of: residuals and their derivatives.
+        start: within the bounds, (k,).
+        lower: bounds, (k,).
+        upper: likewise.
+        precision: relative change of the sum of squares at which it ends.
+        most: steps at most.
+        scale: residuals much beyond it count by their size, not its square (soft_l1); 0: none do.
+
+    Returns:
+        The solution (k,), and the sum that was made small.
+    """
+    import numpy as np
+
+    x, damping = start, _FIRST_DAMPING
+    rest = of.residuals(x)
+    cost = _cost(rest, scale)
+    size = np.zeros(len(x))
+    for _ in range(most):
+        weights = _weights(rest, scale)
+        reduced, target = _reduced(of.jacobian(x) * weights[:, np.newaxis], rest * weights)
+        size = np.maximum(size, np.linalg.norm(reduced, axis=0))
+        size[size == 0.0] = 1.0
+        before = cost
+        while damping < _LARGEST_DAMPING:
+            step = _step(reduced / size, target, damping, (lower - x) * size, (upper - x) * size)
+            trial = np.clip(x + step / size, lower, upper)
+            tried = of.residuals(trial)
+            expected = np.sum(target**2) - np.sum((target + reduced @ (trial - x)) ** 2)
+            new_cost = _cost(tried, scale)
+            if new_cost < cost:
+                gain = (cost - new_cost) / max(expected, 1e-300)
+                damping = max(damping / (10.0 if gain > 0.5 else 1.0), _LEAST_DAMPING)
+                x, rest, cost = trial, tried, new_cost
+                break
+            if expected <= precision * cost:
+                return x, cost
+            damping *= 10.0
+        if before - cost <= precision * cost:
+            break
+    return x, cost
+
+
+def _cost(residuals: Array, scale: float) -> float:
+    """The sum of squares, or of soft_l1's 2 s² (√(1 + r²/s²) − 1)."""
+    import numpy as np
+
+    if not scale:
+        return float(np.sum(residuals**2))
+    return float(2.0 * scale**2 * np.sum(np.sqrt(1.0 + (residuals / scale) ** 2) - 1.0))
+
+
+def _weights(residuals: Array, scale: float) -> Array:
+    """Square roots of the weights with which a sum of squares has the same gradient."""
+    import numpy as np
+
+    if not scale:
+        return np.ones(len(residuals))
+    return np.asarray((1.0 + (residuals / scale) ** 2) ** -0.25)
+
+
+def _reduced(jacobian: Array, residuals: Array) -> tuple[Array, Array]:
+    """The same linear problem in k rows."""
+    import numpy as np
+
+    reduced = triangle(np.column_stack([jacobian, residuals]))
+    k = jacobian.shape[1]
+    return reduced[:, :k], reduced[:, k]
+
+
+def triangle(matrix: Array) -> Array:
+    """R of the QR decomposition of a tall matrix, by way of those of its parts.
+
+    Each part is too small for LAPACK to share out, so the bits do not depend on threads, and
+    nothing waits for them.
+    """
+    import numpy as np
+
+    n, k = matrix.shape
+    rows = max(_ROWS, 4 * k)
+    parts = -(-n // rows)
+    padded = np.zeros((parts * rows, k))
+    padded[:n] = matrix
+    stacked = np.array(np.linalg.qr(padded.reshape(parts, rows, k), mode="r"))
+    if parts == 1:
+        return np.asarray(stacked[0])
+    return triangle(stacked.reshape(-1, k))
+
+
+def _step(matrix: Array, target: Array, damping: float, lower: Array, upper: Array) -> Array:
+    """δ within bounds that makes |matrix δ + target|² + damping |δ|² least."""
+    import numpy as np
+
+    k = matrix.shape[1]
+    rows = np.concatenate([matrix, np.sqrt(damping) * np.eye(k)])
+    wanted = np.concatenate([-target, np.zeros(k)])
+    step = np.linalg.lstsq(rows, wanted, rcond=None)[0]
+    if ((step >= lower) & (step <= upper)).all():
+        return np.asarray(step)
+    optimize = extra("scipy.optimize", "fit")
+    return np.asarray(optimize.lsq_linear(rows, wanted, (lower, upper), "bvls").x)

@@ -1,0 +1,253 @@
+"""A least squares problem: which parameters of which recordings, their bounds, and its solution."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, field, replace
+from typing import TYPE_CHECKING, Protocol
+
+from pendula.measured.least_squares import MOST_STEPS, least_squares
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping, Sequence
+
+    import numpy as np
+    from numpy.typing import NDArray
+
+    from pendula._types import Array
+    from pendula.measured.measurement import Measurement
+    from pendula.measured.model import Row
+    from pendula.systems import System
+
+_FINE = 1e-10, MOST_STEPS  # relative change of the sum of squares, and steps, where it ends
+_ROUGH = 1e-3, 10
+_LOST = 1e6  # a residual where the motion is not finite
+
+
+class Model(Protocol):
+    """What a problem asks of a model; `SingleModel` says more."""
+
+    @property
+    def rows(self) -> tuple[Row, ...]:
+        """Its parameters."""
+
+    def states(self, t: Array, values: Mapping[str, float]) -> Array:
+        """Of the motion at the times, the first that of the start, (n, d); NaN: not finite."""
+
+    def seen(self, states: Array, values: Mapping[str, float]) -> Array:
+        """What is measured of states (n, d), (n, m)."""
+
+    def slopes(
+        self, t: Array, states: Array, values: Mapping[str, float], columns: Sequence[str]
+    ) -> Array:
+        """Derivatives of what is measured by some of the parameters, (n, m, k)."""
+
+    def roughly(self) -> Model:
+        """The same, computed with fewer digits."""
+
+    def system(self, values: Mapping[str, float]) -> System | None:
+        """The pendulum with these values; None: one of them is unphysical."""
+
+
+@dataclass(frozen=True, eq=False)
+class Sampled:
+    """The samples of a recording that are fitted.
+
+    Attributes:
+        measurement: where they come from.
+        t: rising, (n,) [s].
+        values: (n, m); NaN: missing.
+    """
+
+    measurement: Measurement
+    t: Array
+    values: Array
+
+    @property
+    def there(self) -> NDArray[np.bool_]:
+        """Which values are there, (n, m)."""
+        import numpy as np
+
+        return np.isfinite(self.values)
+
+    def taken(self, which: slice | NDArray[np.intp]) -> Sampled:
+        """Some of the samples."""
+        return replace(self, t=self.t[which].copy(), values=self.values[which])
+
+
+@dataclass(frozen=True, eq=False)
+class Problem:
+    """Parameters to be found, and what they have to predict.
+
+    Attributes:
+        model: of each recording.
+        recordings: fitted together.
+        free: names of the model's parameters that are fitted.
+        shared: those of them that all recordings have in common.
+        constants: values of those that are not fitted.
+        free_signs: friction may be negative.
+        limits: least and largest values by name, in place of what is physical.
+        kept: states of the last parameters, by their bytes.
+    """
+
+    model: Model
+    recordings: tuple[Sampled, ...]
+    free: tuple[str, ...]
+    shared: tuple[str, ...]
+    constants: Mapping[str, float]
+    free_signs: bool = False
+    limits: Mapping[str, tuple[float, float]] = field(default_factory=dict)
+    kept: dict[bytes, list[Array]] = field(default_factory=dict, init=False, repr=False)
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """Names of what is fitted, (k,); with the recording's number where it is its own."""
+        several = len(self.recordings) > 1
+        own = [name for name in self.free if name not in self.shared]
+        return (
+            *(name for name in self.free if name in self.shared),
+            *(
+                f"{name}[{i + 1}]" if several else name
+                for i in range(len(self.recordings))
+                for name in own
+            ),
+        )
+
+    def rows(self) -> list[Row]:
+        """The model's row of each of the names."""
+        known = {row.name: row for row in self.model.rows}
+        return [known[name.partition("[")[0]] for name in self.names]
+
+    def places(self, i: int) -> list[int]:
+        """Where the free parameters of recording i stand among the names."""
+        names = self.names
+        numbered = (f"{name}[{i + 1}]" for name in self.free)
+        return [
+            names.index(name if name in names else number)
+            for name, number in zip(self.free, numbered, strict=True)
+        ]
+
+    def bounds(self) -> tuple[Array, Array]:
+        """Least and largest values, (k,) each."""
+        import numpy as np
+
+        pairs = [
+            self.limits.get(
+                row.name,
+                (row.lower if row.lower != 0.0 or not self.free_signs else -math.inf, math.inf),
+            )
+            for row in self.rows()
+        ]
+        lower, upper = zip(*pairs, strict=True)
+        return np.array(lower), np.array(upper)
+
+    def values(self, i: int, x: Array) -> dict[str, float]:
+        """All parameters of recording i by name."""
+        fitted = {name: float(x[j]) for name, j in zip(self.free, self.places(i), strict=True)}
+        standard = {row.name: row.standard for row in self.model.rows}
+        return {**standard, **self.constants, **fitted}
+
+    def states(self, x: Array) -> list[Array]:
+        """Of the motion of each recording, (n, d); NaN where it is not finite.
+
+        Those of the last parameters are kept: the derivatives are asked for next.
+        """
+        key = x.tobytes()
+        if key not in self.kept:
+            self.kept.clear()
+            self.kept[key] = [
+                self.model.states(each.t, self.values(i, x))
+                for i, each in enumerate(self.recordings)
+            ]
+        return self.kept[key]
+
+    def predicted(self, x: Array) -> list[Array]:
+        """Of each recording, (n, m)."""
+        return [
+            self.model.seen(states, self.values(i, x)) for i, states in enumerate(self.states(x))
+        ]
+
+    def residuals(self, x: Array) -> Array:
+        """Predicted less measured, one recording and column after the other, (N,)."""
+        import numpy as np
+
+        parts = zip(self.predicted(x), self.recordings, strict=True)
+        found = np.concatenate([(p - r.values).T[r.there.T] for p, r in parts])
+        found[~np.isfinite(found)] = _LOST
+        return found
+
+    def jacobian(self, x: Array) -> Array:
+        """Derivatives of the residuals, (N, k)."""
+        import numpy as np
+
+        blocks = []
+        for i, (each, states) in enumerate(zip(self.recordings, self.states(x), strict=True)):
+            block = np.zeros((int(each.there.sum()), len(self.names)))
+            slopes = self.model.slopes(each.t, states, self.values(i, x), self.free)
+            block[:, self.places(i)] = slopes.transpose(1, 0, 2)[each.there.T]
+            blocks.append(block)
+        found = np.concatenate(blocks)
+        found[~np.isfinite(found).all(axis=1)] = 0.0
+        return found
+
+    def of(self, recordings: Sequence[Sampled]) -> Problem:
+        """The same of other samples."""
+        return replace(self, recordings=tuple(recordings))
+
+    def within(self, length: float) -> Problem:
+        """The same of the first seconds of each recording, but of no fewer samples than needed."""
+        import numpy as np
+
+        parts = []
+        for each in self.recordings:
+            last = int(np.searchsorted(each.t, each.t[0] + length, side="right"))
+            parts.append(each.taken(slice(0, max(last, 2 * len(self.free)))))
+        return self.of(parts)
+
+    def thinned(self, most: int) -> Problem:
+        """The same of about so many samples a recording at most, computed roughly."""
+        fewer = [each.taken(slice(None, None, -(-len(each.t) // most))) for each in self.recordings]
+        return replace(self, recordings=tuple(fewer), model=self.model.roughly())
+
+
+@dataclass(frozen=True, eq=False)
+class Optimum:
+    """Where least squares came to.
+
+    Attributes:
+        names: of the parameters, (k,).
+        x: the parameters, (k,).
+        rms: of the residuals.
+    """
+
+    names: tuple[str, ...]
+    x: Array
+    rms: float
+
+
+def minimise(
+    problem: Problem, start: Array, *, robust: bool = False, rough: bool = False
+) -> Optimum:
+    """Least squares from a start, within the bounds.
+
+    Args:
+        problem: what is to be fitted.
+        start: (k,), moved into the bounds where it lies outside.
+        robust: residuals beyond two standard deviations count less (soft_l1).
+        rough: end soon: the optimum is a start for another.
+    """
+    import numpy as np
+
+    lower, upper = problem.bounds()
+    x = np.clip(start, lower, upper)
+    scale = _spread(problem.residuals(x)) if robust else 0.0
+    precision, most = _ROUGH if rough else _FINE
+    x, cost = least_squares(problem, x, lower, upper, precision, scale, most)
+    return Optimum(problem.names, x, math.sqrt(cost / len(problem.residuals(x))))
+
+
+def _spread(residuals: Array) -> float:
+    """Two standard deviations, from the median, which outliers do not move."""
+    import numpy as np
+
+    return float(2.0 * 1.4826 * np.median(np.abs(residuals)))

@@ -1,0 +1,209 @@
+"""Fits of a double pendulum, over windows: a chaotic motion cannot be fitted in one piece."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from itertools import pairwise
+from typing import TYPE_CHECKING
+
+from pendula._checks import extra
+from pendula.measured.double_model import JOINTS, SHAPE, STATE, DoubleModel
+from pendula.measured.fitted import Horizon
+from pendula.measured.problem import Optimum, Problem, Sampled, minimise
+from pendula.measured.starts import MOST, main_frequency
+from pendula.measured.system_model import SystemModel
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+    from pendula._types import Array
+    from pendula.measured.fitted import Fit
+
+_FIRST = 0.75  # periods of the main oscillation: the first window
+_GROWS = 1.6  # times as long is the next
+_LOST = 0.1  # rad: residuals of a window that is not followed to its end
+_SHORTEST = 100.0  # samples of a window
+_SMOOTH = 12.0  # parts of a period that a smoothing polynomial spans
+_DEGREE = 4  # of it
+_DEFINITE = 1.05
+
+
+def shot(problem: Problem, *, robust: bool = False) -> tuple[Problem, Optimum]:
+    """The optimum of windows that each have a start of their own.
+
+    A window is fitted from its beginning in longer and longer parts. Where all of one recording is
+    not followed, it is cut into windows as long as the part that was.
+
+    Args:
+        problem: of one recording, or of windows of it.
+        robust: as for `minimise`.
+
+    Returns:
+        The problem as it was solved, and its optimum.
+    """
+    import numpy as np
+
+    whole = problem.recordings[0]
+    first = problem.of([whole])
+    best, followed = _grown(first, robust=robust)
+    if len(problem.recordings) == 1:
+        if followed >= float(whole.t[-1] - whole.t[0]):
+            return problem, minimise(problem, best, robust=robust)
+        problem = problem.of(cut(whole, followed))
+    known = dict(zip(first.names, best.tolist(), strict=True))
+    start, lost = _starts(problem, known, robust=robust)
+    while lost and followed > _SHORTEST * float(np.median(np.diff(whole.t))):
+        followed *= 0.5
+        problem = problem.of([part for each in problem.recordings for part in cut(each, followed)])
+        start, lost = _starts(problem, known, robust=robust)
+    begin = np.array([start[name] for name in problem.names])
+    return problem, minimise(problem, begin, robust=robust)
+
+
+def _starts(
+    problem: Problem, known: Mapping[str, float], *, robust: bool
+) -> tuple[dict[str, float], bool]:
+    """Parameters of each window, what they share as known; and whether one was not followed."""
+    start, lost = dict(known), False
+    for i, each in enumerate(problem.recordings):
+        own, followed = _grown(_held(problem, known).of([each]), robust=robust)
+        lost = lost or followed < float(each.t[-1] - each.t[0])
+        mark = f"[{i + 1}]" if len(problem.recordings) > 1 else ""
+        start |= {f"{n}{mark}": x for n, x in zip(_own(problem), own.tolist(), strict=True)}
+    return start, lost
+
+
+def cut(recording: Sampled, length: float) -> list[Sampled]:
+    """Windows of a recording, all nearly as long as asked [s]."""
+    import numpy as np
+
+    span = float(recording.t[-1] - recording.t[0])
+    count = max(math.ceil(span / length - 1e-9), 1)
+    edges = recording.t[0] + span * np.arange(1, count) / count
+    places = [0, *np.searchsorted(recording.t, edges).tolist(), len(recording.t)]
+    return [recording.taken(slice(begin, end)) for begin, end in pairwise(places)]
+
+
+def _own(problem: Problem) -> list[str]:
+    """Parameters that each window has for itself."""
+    return [name for name in problem.free if name not in problem.shared]
+
+
+def _held(problem: Problem, known: Mapping[str, float]) -> Problem:
+    """The problem with what windows share held at known values."""
+    held = {name: known[name] for name in problem.shared}
+    return replace(
+        problem, free=tuple(_own(problem)), shared=(), constants={**problem.constants, **held}
+    )
+
+
+def _grown(problem: Problem, *, robust: bool) -> tuple[Array, float]:
+    """Parameters of one window, and how much of it they describe [s]."""
+    import numpy as np
+
+    recording = problem.recordings[0]
+    span = float(recording.t[-1] - recording.t[0])
+    assert isinstance(problem.model, DoubleModel | SystemModel)
+    known = {row.name: row.standard for row in problem.rows()}
+    known |= _first_values(recording, {**problem.constants, **problem.model.shape})
+    x = np.array([known[name] for name in problem.names])
+    length, followed = _FIRST * 2.0 * math.pi / main_frequency(recording), 0.0
+    while followed < span:
+        length = min(length, span)
+        found = minimise(problem.within(length).thinned(MOST), x, robust=robust, rough=True)
+        if found.rms > _LOST and followed > 0.0:
+            break
+        x, followed = found.x, length
+        length *= _GROWS
+    return x, followed
+
+
+def _first_values(recording: Sampled, constants: Mapping[str, float]) -> dict[str, float]:
+    """State at the first sample, and the shape that goes with the accelerations.
+
+    The equations of motion are linear in the constants: those of smoothed angles, rates and
+    accelerations give them by least squares.
+    """
+    import numpy as np
+
+    signal, optimize = extra("scipy.signal", "fit"), extra("scipy.optimize", "fit")
+    step = float(np.median(np.diff(recording.t)))
+    grid = recording.t[0] + step * np.arange(round((recording.t[-1] - recording.t[0]) / step) + 1)
+    even = np.stack(
+        [
+            np.interp(grid, recording.t[there], column[there])
+            for column, there in zip(recording.values.T, recording.there.T, strict=True)
+        ]
+    )
+    points = round(2.0 * math.pi / main_frequency(recording) / _SMOOTH / step)
+    points = min(max(2 * (points // 2) + 1, _DEGREE + 3), 2 * ((len(grid) - 1) // 2) + 1)
+    theta, omega, alpha = (
+        signal.savgol_filter(even, points, min(_DEGREE, points - 1), deriv=each, delta=step)
+        for each in range(3)
+    )
+    found = dict(zip(STATE, [*theta[:, 0].tolist(), *omega[:, 0].tolist()], strict=True))
+    rows, wanted = _equations(theta, omega, alpha)
+    names = [*SHAPE, *JOINTS[:2]]
+    free = [i for i, name in enumerate(names) if name not in constants]
+    for i, name in enumerate(names):
+        if name in constants:
+            wanted = wanted - constants[name] * rows[:, i]
+    if free:
+        solved = optimize.lsq_linear(rows[:, free], wanted, (1e-6, np.inf), "bvls")
+        found |= {names[i]: float(x) for i, x in zip(free, solved.x, strict=True)}
+    if "B_over_A" in found:  # kinetic energy is positive whatever the rates: A B > C²
+        least = _DEFINITE * {**constants, **found}["C_over_A"] ** 2
+        found["B_over_A"] = max(found["B_over_A"], least)
+    return found
+
+
+def _equations(theta: Array, omega: Array, alpha: Array) -> tuple[Array, Array]:
+    """Both equations of motion as rows in (B, C, D, E, viscous1, viscous2), and what they give."""
+    import numpy as np
+
+    apart = theta[0] - theta[1]
+    zero, relative = np.zeros_like(apart), omega[1] - omega[0]
+    first = [
+        zero,
+        alpha[1] * np.cos(apart) + omega[1] ** 2 * np.sin(apart),
+        np.sin(theta[0]),
+        zero,
+        omega[0],
+        -relative,
+    ]
+    second = [
+        alpha[1],
+        alpha[0] * np.cos(apart) - omega[0] ** 2 * np.sin(apart),
+        zero,
+        np.sin(theta[1]),
+        zero,
+        relative,
+    ]
+    rows = np.concatenate([np.stack(first, axis=1), np.stack(second, axis=1)])
+    return rows, np.concatenate([-alpha[0], zero])
+
+
+def horizon_of(made: Fit, whole: Sampled, tolerance: float) -> Horizon | None:
+    """How long the fitted motion follows the recording; None: no pendulum moves so.
+
+    Args:
+        made: the fit.
+        whole: all samples of the recording, from the first that was fitted.
+        tolerance: angle by which they may differ [rad].
+    """
+    import numpy as np
+
+    from pendula.run.solve import solve
+
+    first = made.recordings[0]
+    if first.system is None:
+        return None
+    run = solve(first.system, first.start, whole.t, t0=float(whole.t[0]), certify=tolerance)
+    offsets = first.fitted[0] - first.start[:2]
+    apart = np.abs(run.states[:, :2] + offsets - whole.values)
+    lost = np.nanmax(np.where(np.isfinite(apart), apart, 0.0), axis=1) > tolerance
+    last = int(lost.argmax()) if lost.any() else len(whole.t) - 1
+    begin = float(whole.t[0])
+    trust = math.inf if run.trust_horizon is None else run.trust_horizon - begin
+    return Horizon(tolerance, float(whole.t[last]) - begin, bool(lost.any()), trust)

@@ -1,0 +1,1 @@
+"""A recording in a report: experiment, formula and method side by side."""
