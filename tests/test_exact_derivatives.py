@@ -104,6 +104,7 @@ def test_of_many_states() -> None:
     assert many.derivatives is not None
     assert many.derivatives.shape == (1, 2, 2, 2, 2)
     one = exact(system, (2.0, 1.0), [1.0, 2.0], derivatives=("gravity", "theta"))
+    assert one.derivatives is not None
     assert np.array_equal(many.derivatives[0, 1], one.derivatives)
 
 

@@ -53,7 +53,7 @@ class PeriodTable:
         period: of one full swing, (n,) [s].
         length: from the pivot to the bob's centre, (n,) [m]; None: not varied, not told.
         amplitude: of the swing, (n,) [rad]; None: not told.
-        repeats: times each row was measured, (n, k) periods [s], NaN where there is none; None: once.
+        repeats: times each row was measured, (n, k) periods [s]; NaN: none there; None: once.
         source: the file's path; empty: none.
         checksum: SHA-256 of the file.
         reading: as for `Measurement`.
