@@ -1,0 +1,1 @@
+"""Order and chaos: periodic orbits, sections, bifurcations, frequencies and tests of series."""
