@@ -82,7 +82,7 @@ def fitted_lines(series: NDArray[Any], count: int) -> Lines:
     """
     import numpy as np
 
-    places: Array = np.arange(series.size) - (series.size - 1) / 2
+    places = np.arange(series.size, dtype=np.float64) - (series.size - 1) / 2
     window: Array = (1.0 + np.cos(2.0 * np.pi * places / series.size)) ** _POWER
     window /= window.sum()
     given = _Windowed(series, places, window)
