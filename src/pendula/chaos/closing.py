@@ -66,7 +66,7 @@ def closings(system: System, start: Array, period: float) -> list[Closing]:
     tau, zero = math.tau, np.zeros(2 * dof)
     if system.can.conservative and not start[dof:].any():
         middle = np.pi * np.round(quarter[:dof] / np.pi)
-        odd = Closing("brake, odd", 0.25, one[:dof], none[:dof], middle, angles)
+        odd = swinging(middle)
         plain = Closing("brake", 0.5, one[dof:], none[dof:], zero[dof:], angles)
         missed = abs(quarter[:dof] - middle).max()
     else:
@@ -76,6 +76,15 @@ def closings(system: System, start: Array, period: float) -> list[Closing]:
         missed = abs(half + start - tau * turned)[:dof].max()
     mirrored = missed < _NEAR and system.can.periodic and is_odd(system, period)
     return [odd, plain] if mirrored else [plain]
+
+
+def swinging(middle: Array) -> Closing:
+    """The conditions of an orbit from rest that is its own mirror image about `middle`, (d/2,)."""
+    import numpy as np
+
+    dof = middle.size
+    ends = np.eye(dof, 2 * dof)
+    return Closing("brake, odd", 0.25, ends, np.zeros_like(ends), middle, tuple(range(dof)))
 
 
 def is_odd(system: System, period: float) -> bool:
@@ -150,8 +159,8 @@ def phase_of(system: System, start: Array) -> int:
 
 def _end(system: System, start: Array, span: float) -> Array:
     """The state after a time."""
-    states: Array = solve(system, start, [span]).states
-    return states[-1]
+    end: Array = solve(system, start, [span]).states[-1]
+    return end
 
 
 def _turns(difference: Array, dof: int) -> Array:
