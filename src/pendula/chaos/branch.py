@@ -21,6 +21,7 @@ Known = tuple[float, PeriodicOrbit]
 
 _FIRST = 0.1  # of the way to the first value: nothing is known yet of where the orbits go
 _SHORTEST = 1e-7  # of the way to a value; the branch is lost there
+_FURTHEST = -4.0  # times the way between two orbits, that the line through them is followed
 _BEND = 0.05  # rad, or of the frequency: how far an orbit may be from where it is looked for
 
 
@@ -84,34 +85,48 @@ class Branch:
         """
         known: list[Known] = [(self.value_of(start), start)]
         for target in map(float, targets):
-            way = target - known[-1][0]
-            if way == 0.0:
-                known.append((target, known[-1][1]))
-                continue
-            step = way if len(known) > 1 else _FIRST * way
-            while known[-1][0] != target:
-                left = target - known[-1][0]
-                value = target if abs(step) >= abs(left) else known[-1][0] + step
-                try:
-                    known.append((value, self.between(known[-2:], value)))
-                    step *= 2.0
-                except OrbitError:
-                    step = 0.5 * (value - known[-1][0])
-                    if abs(step) < _SHORTEST * abs(way):
-                        return known[1:]
+            known += self.follow_on(known, target)
+            if known[-1][0] != target:
+                break
         return known[1:]
 
+    def follow_on(self, known: Sequence[Known], target: float) -> list[Known]:
+        """Orbits further on, up to one at a value, unless the branch is lost before.
+
+        Args:
+            known: values and orbits so far, of which the last two say where it goes.
+            target: a value beyond.
+        """
+        found, way = list(known[-2:]), target - known[-1][0]
+        if way == 0.0:
+            return [known[-1]]
+        step = way if len(found) > 1 else _FIRST * way
+        while found[-1][0] != target:
+            left = target - found[-1][0]
+            value = target if abs(step) >= abs(left) else found[-1][0] + step
+            try:
+                found.append((value, self.between(found[-2:], value)))
+                step *= 2.0
+            except OrbitError:
+                step = 0.5 * (value - found[-1][0])
+                if abs(step) < _SHORTEST * abs(way):
+                    break
+        return found[len(known[-2:]) :]
+
     def between(self, known: Sequence[Known], value: float) -> PeriodicOrbit:
-        """The orbit at a value, looked for on the line through the two known ones next to it.
+        """The orbit at a value, looked for on the line through known ones, on either side of it.
 
         Raises:
             OrbitError: where there is none, or one that is elsewhere.
         """
         import numpy as np
 
-        nearest = sorted(known, key=lambda each: abs(each[0] - value))[:2]
-        (first, one), (second, other) = nearest[0], nearest[-1]
+        nearest = sorted(known, key=lambda each: abs(each[0] - value))
+        first, one = nearest[0]
+        across = [each for each in nearest[1:] if (each[0] - value) * (first - value) < 0.0]
+        second, other = (across or nearest[1:] or nearest)[0]
         share = (value - first) / (second - first) if second != first else 0.0
+        share = max(share, _FURTHEST)
         state = one.state + share * (other.state - one.state)
         found = self.orbit(value, state, one.period + share * (other.period - one.period))
         dof = state.size // 2
