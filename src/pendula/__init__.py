@@ -34,6 +34,7 @@ _HOMES = {
 }
 _MODULES = (
     "analysis",
+    "chaos",
     "chunks",
     "elliptic",
     "events",
@@ -52,6 +53,8 @@ _OF_A_RUN = ("exact", "events", "sections", "solve", "trajectory", "trust")
 promise("Trajectory", "pendula.io", "save", "to_pandas", "to_xarray")
 promise("Ensemble", "pendula.many.tables", "save", "to_pandas", "to_xarray")
 promise("Trajectory", "pendula.plot", "animate", "plot")
+for _owner in ("Alignment", "Family", "Lyapunov", "Megno", "PeriodicOrbit", "Section"):
+    promise(_owner, "pendula.plot", "plot")
 
 if TYPE_CHECKING:
     from pendula import elliptic, events
