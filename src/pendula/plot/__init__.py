@@ -5,6 +5,7 @@ matplotlib is imported by the first figure drawn.
 
 from pendula.plot.animation import animate
 from pendula.plot.comparison import angles, convergence, parting, series, tip_paths
+from pendula.plot.indicator_maps import indicator_map
 from pendula.plot.maps import divergence_map, flip_map, stored_map
 from pendula.plot.overview import trajectory
 from pendula.plot.pendulum import elliptic_cost, linear_error, periods, phase_portrait
@@ -18,6 +19,7 @@ __all__ = [
     "divergence_map",
     "elliptic_cost",
     "flip_map",
+    "indicator_map",
     "linear_error",
     "parting",
     "periods",

@@ -1,0 +1,94 @@
+"""The case that a picture shows, in one line: the system, its parameters, energy, time."""
+
+from __future__ import annotations
+
+import json
+from itertools import groupby
+from typing import TYPE_CHECKING, Any
+
+from pendula._attributes import KEY
+from pendula.systems import system_from
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+    from pendula.plot.labels import Labels
+    from pendula.systems import System
+
+_SUBSCRIPTS = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
+_SYMBOLS = {
+    "gravity": "g",
+    "length": "l",
+    "mass": "m",
+    "centre": "c",
+    "inertia": "I",
+    "viscous": "b",
+    "viscous1": "b₁",
+    "viscous2": "b₂",
+    "coulomb": "τc",
+    "coulomb1": "τc₁",
+    "coulomb2": "τc₂",
+    "quadratic": "d",
+    "cubic": "r",
+    "torque": "τ",
+    "drive_frequency": "Ω",
+    "drive_phase": "φ",
+    "pivot_amplitude": "a",
+    "pivot_frequency": "Ωp",
+    "pivot_phase": "φp",
+    "pivot_direction": "α",
+}
+_UNITS = {"m/s^2": "m/s²", "kg m^2": "kg m²", "N m s^2": "N m s²", "N m s^3": "N m s³"}
+
+
+def case_of(
+    system: System, words: Labels, *, without: tuple[str, ...] = (), **values: tuple[float, str]
+) -> str:
+    """The form, its parameters that are not 0, equal ones together; then symbols and values.
+
+    Args:
+        system: the pendulum.
+        words: of the language.
+        without: names of parameters that the picture shows along an axis.
+        **values: further ones with their units, by symbol.
+    """
+    given = system.parameters
+    still = () if given.get("pivot_amplitude") else ("pivot_direction", "pivot_phase")
+    rows = [
+        (symbol_of(row.name), given[row.name], row.unit)
+        for row in system._rows()
+        if given[row.name] and row.name not in (*without, *still)
+    ]
+    rows += [(symbol, *given) for symbol, given in values.items()]
+    parts = [
+        " = ".join([*(each[0] for each in same), _with_unit(*alike, words)])
+        for alike, same in groupby(rows, key=lambda row: row[1:])
+    ]
+    return f"{_form(system, words)}: {'; '.join(parts)}"
+
+
+def symbol_of(parameter: str) -> str:
+    """How a parameter is written on a picture."""
+    return _SYMBOLS.get(parameter, parameter.translate(_SUBSCRIPTS))
+
+
+def stored_case(
+    attributes: Mapping[Any, Any], words: Labels, **values: tuple[float, str]
+) -> str | None:
+    """The case of a map with these attributes; None: they lack the system."""
+    try:
+        described = json.loads(attributes[KEY])["system"]
+    except (KeyError, TypeError, ValueError):
+        return None
+    return case_of(system_from(described), words, **values)
+
+
+def _form(system: System, words: Labels) -> str:
+    name = words.case[system.form or system.name]
+    damped = system.name.startswith("damped")
+    return words.case["joints"].format(form=name) if damped else name
+
+
+def _with_unit(value: float, unit: str, words: Labels) -> str:
+    text = words.local(f"{value:.7g}")
+    return f"{text} {_UNITS.get(unit, unit)}".rstrip()
