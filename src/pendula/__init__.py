@@ -53,7 +53,8 @@ _OF_A_RUN = ("exact", "events", "sections", "solve", "trajectory", "trust")
 promise("Trajectory", "pendula.io", "save", "to_pandas", "to_xarray")
 promise("Ensemble", "pendula.many.tables", "save", "to_pandas", "to_xarray")
 promise("Trajectory", "pendula.plot", "animate", "plot")
-for _owner in ("Alignment", "Family", "Lyapunov", "Megno", "PeriodicOrbit", "Section"):
+_DRAWN = ("Alignment", "Bifurcation", "Family", "Lyapunov", "Megno", "PeriodicOrbit", "Section")
+for _owner in _DRAWN:
     promise(_owner, "pendula.plot", "plot")
 
 if TYPE_CHECKING:

@@ -1,10 +1,11 @@
-"""Order and chaos: exponents and indicators with their errors, sections, orbits, frequencies."""
+"""Order and chaos: exponents and indicators with their errors, sections, orbits, bifurcations."""
 
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
 from pendula.chaos.alignment import Alignment, gali, sali
+from pendula.chaos.bifurcation import Bifurcation, bifurcation
 from pendula.chaos.doublings import period_doublings
 from pendula.chaos.energy_surface import energy_surface
 from pendula.chaos.families import Change, Family, family
@@ -32,6 +33,7 @@ _ABOVE = {
 
 __all__ = [
     "Alignment",
+    "Bifurcation",
     "Change",
     "Family",
     "Frequencies",
@@ -41,6 +43,7 @@ __all__ = [
     "Section",
     "TangentMap",
     "ZeroOne",
+    "bifurcation",
     "chaotic_share",
     "energy_surface",
     "family",

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from pendula._checks import checked_progress, whole_number
+from pendula._late_methods import with_promised
 from pendula._messages import ArgumentError
 from pendula._progress import with_bar
 from pendula.chaos.variations import OPTIONS, Asked, VariedRuns, asked_of, first_variations
@@ -25,6 +26,7 @@ if TYPE_CHECKING:
 ALIGNED = 1e-8  # below, directions are one: chaos, where they turn exponentially fast
 
 
+@with_promised
 @dataclass(frozen=True, eq=False)
 class Alignment:
     """SALI or GALI of one motion, or of n motions (then with a first axis n).

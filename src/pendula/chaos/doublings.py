@@ -22,6 +22,7 @@ if TYPE_CHECKING:
 
 _MOST_PERIODS = 4096  # of the drive, in one of the orbit
 _ASIDE = 1e-3, 1e-6  # rad: how far beside the old orbit the doubled one is taken; at least so far
+_YOUNG = 0.5  # how far from 1, which it is born with, the doubled orbit's multiplier may be
 _MOST_ITERATIONS = 30
 _GROWTH, _LONGEST = 1.5, 0.05  # of steps, each over the last; of the longest, over the whole way
 
@@ -120,7 +121,9 @@ def doubled(branch: Branch, change: Change) -> PeriodicOrbit | None:
         if found is not None:
             value, closed = found
             recipe = {"state": closed.state.tolist(), "period": closed.period}
-            return orbit_of(branch.system_at(value), closing, closed, twice, recipe)
+            orbit = orbit_of(branch.system_at(value), closing, closed, twice, recipe)
+            if abs(orbit.multipliers[0].real - 1.0) < _YOUNG:  # or it has doubled itself by now
+                return orbit
         size /= 2.0
     return None
 

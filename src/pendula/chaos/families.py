@@ -7,9 +7,11 @@ from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
 from pendula._checks import extra, number_pair, one_of, whole_number
+from pendula._late_methods import with_promised
 from pendula._messages import ArgumentError
 from pendula.chaos.branch import Branch
 from pendula.chaos.multipliers import crossings
+from pendula.chaos.newton import OrbitError
 from pendula.chaos.orbit import PeriodicOrbit
 from pendula.chaos.roots import root
 
@@ -45,6 +47,7 @@ class Change:
         return f"<Change at {self.value:.12g}: {self.below} → {self.above}>"
 
 
+@with_promised
 @dataclass(frozen=True, eq=False, repr=False)
 class Family:
     """Periodic orbits that grow out of one another.
@@ -160,7 +163,7 @@ def changes_between(branch: Branch, known: list[tuple[float, PeriodicOrbit]]) ->
             if value * at_high[name] < 0.0 and low < high:
                 ends = (low, before), (high, after)
                 found.append(_located(branch, name, ends, (value, at_high[name])))
-    return sorted(found, key=lambda each: each.value)
+    return sorted((each for each in found if each is not None), key=lambda each: each.value)
 
 
 def _located(
@@ -168,8 +171,8 @@ def _located(
     name: str,
     ends: tuple[tuple[float, PeriodicOrbit], tuple[float, PeriodicOrbit]],
     values: tuple[float, float],
-) -> Change:
-    """The change where a function of the multipliers has its root."""
+) -> Change | None:
+    """The change where a function of the multipliers has its root; None: no orbit leads there."""
     known = dict(ends)
     (low, before), (high, after) = ends
 
@@ -178,7 +181,10 @@ def _located(
         known[value] = orbit
         return crossings(orbit.monodromy, conservative=orbit.conservative)[name]
 
-    place = root(function, low, high, *values)
+    try:
+        place = root(function, low, high, *values)
+    except OrbitError:
+        return None
     return Change(place, int(name), known[place], before.kind, after.kind)
 
 

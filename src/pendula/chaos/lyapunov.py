@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from pendula._checks import checked_progress, number, positive_number, whole_number
+from pendula._late_methods import with_promised
 from pendula._messages import ArgumentError
 from pendula._progress import part, with_bar
 from pendula._tables import html_table
@@ -27,6 +28,7 @@ if TYPE_CHECKING:
 _PARTS = 400  # of a run, whose growths the error comes from
 
 
+@with_promised
 @dataclass(frozen=True, eq=False)
 class Lyapunov:
     """Lyapunov exponents of one motion, or of n motions (then with a first axis n).

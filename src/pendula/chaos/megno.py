@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from pendula._checks import checked_progress
+from pendula._late_methods import with_promised
 from pendula._progress import with_bar
 from pendula.chaos.variations import OPTIONS, asked_of, first_variations
 from pendula.chaos.verdict import verdict_of
@@ -22,6 +23,7 @@ if TYPE_CHECKING:
     from pendula.systems import System
 
 
+@with_promised
 @dataclass(frozen=True, eq=False)
 class Megno:
     """MEGNO of one motion, or of n motions (then with a first axis n).

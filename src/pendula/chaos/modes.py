@@ -17,8 +17,8 @@ if TYPE_CHECKING:
     from pendula.systems import System
 
 _FIRST = 0.02  # rad: how far the first orbit is from rest, where the mode is all but linear
-_STEP = 0.04, 0.15  # along the family, in radians and periods over the small one's: first, longest
-_SHORTEST = 1e-6
+# Steps along the family, in radians and periods over the small oscillation's
+_LONGEST, _SHORTEST, _GROWTH = 0.15, 1e-6, 1.5
 _MOST_STEPS = 4000
 _BEND = 0.02  # by which an orbit may differ from where it was looked for
 
@@ -30,7 +30,8 @@ def normal_mode(
 
     Both angles are at rest together and pass zero together (Rosenberg 1962; Lyapunov's centre
     theorem 1907). The family is followed from the small oscillation by its length, so that it may
-    turn back in amplitude or energy: the first orbit with the one asked for is taken.
+    turn back in amplitude or energy: the first orbit with the one asked for is taken. In resonance
+    with the other mode the family may go over into that one's orbits (Kerschen et al. 2009).
 
     Args:
         system: a double pendulum.
@@ -60,6 +61,8 @@ def normal_mode(
         closed = _grown(system, mode, "amplitude", wanted)
     else:
         closed = _grown(system, mode, "energy", positive_number("energy", energy, "J"))
+    if closed.state[0] < 0.0:  # half a period later the orbit is at the mirrored state
+        closed = closed._replace(state=0.0 - closed.state)
     return orbit_of(system, swinging(closed.state[:2] * 0.0), closed, None, recipe)
 
 
@@ -67,18 +70,16 @@ def _grown(system: DoublePendulum, mode: int, asked: str, wanted: float) -> Clos
     """The first orbit of a mode's family with an amplitude or energy."""
     import numpy as np
 
-    frequency = system.normal_modes().frequencies[mode - 1]
     shape = np.array(system.normal_modes().shapes[mode - 1])
-    small = math.tau / frequency
-    first = _FIRST
+    small = math.tau / system.normal_modes().frequencies[mode - 1]
+    units = np.array([1.0, 1.0, small])
+    closing, first = swinging(np.zeros(2)), _FIRST
     while _value(system, asked, _from_rest(first * shape)) > wanted and first > 1e-8:
         first /= 2.0
-    closing, shape = swinging(np.zeros(2)), np.append(shape, 0.0)
-    before = np.array([0.0, 0.0, small])
-    length, steps = min(_STEP[0], first), 0
-    direction, here, n_steps = shape, before, 0
+    here, direction = np.array([0.0, 0.0, small]), np.append(shape, 0.0)
+    length, n_steps, most = first, 0, 0.0
     for _ in range(_MOST_STEPS):
-        there = here + length * direction * (1.0, 1.0, small)
+        there = here + length * direction * units
         row = across(_in_seconds(direction, small), _from_rest(there[:2]), there[2])
         found = _at(system, closing, row, there, small)
         if found is None:
@@ -87,16 +88,17 @@ def _grown(system: DoublePendulum, mode: int, asked: str, wanted: float) -> Clos
                 break
             continue
         n_steps += found.n_steps
-        here, before = np.append(found.state[:2], found.period), here
-        if _value(system, asked, found.state) >= wanted:
-            target = _condition(system, asked, wanted)
+        before, here = here, np.append(found.state[:2], found.period)
+        most = max(most, _value(system, asked, found.state))
+        if most >= wanted:
             guess = _between(system, asked, wanted, before, here)
-            final = closed_orbit(system, closing, [target], _from_rest(guess[:2]), guess[2])
+            row = _condition(system, asked, wanted, float(guess[0]))
+            final = closed_orbit(system, closing, [row], _from_rest(guess[:2]), guess[2])
             return final._replace(n_steps=n_steps + final.n_steps)
-        direction = (here - before) / (1.0, 1.0, small)
-        direction, steps = direction / np.hypot.reduce(direction), steps + 1
-        length = min(1.5 * length, _STEP[1])
-    raise _beyond(asked, wanted, _value(system, asked, _from_rest(here[:2])))
+        direction = (here - before) / units
+        direction = direction / np.hypot.reduce(direction)
+        length = min(_GROWTH * length, _LONGEST)
+    raise _beyond(asked, wanted, most)
 
 
 def _at(system: System, closing: Any, row: Row, there: Array, small: float) -> Closed | None:
@@ -113,7 +115,7 @@ def _beyond(asked: str, wanted: float, reached: float) -> ArgumentError:
     unit = "rad" if asked == "amplitude" else "J"
     return ArgumentError(
         asked,
-        "must be reached by the mode's family, which was followed to {other} {text}; got {value}",
+        "must be reached by the mode's family, which comes to {other} {text}; got {value}",
         "take less",
         other=f"{reached:.6g}",
         text=unit,
@@ -121,13 +123,16 @@ def _beyond(asked: str, wanted: float, reached: float) -> ArgumentError:
     )
 
 
-def _condition(system: System, asked: str, wanted: float) -> Row:
-    return held(0, wanted) if asked == "amplitude" else with_energy(system, wanted)
+def _condition(system: System, asked: str, wanted: float, theta1: float) -> Row:
+    """What the orbit has to have; at that point of the family θ1 may have become negative."""
+    if asked == "amplitude":
+        return held(0, math.copysign(wanted, theta1))
+    return with_energy(system, wanted)
 
 
 def _value(system: System, asked: str, state: Array) -> float:
     """Amplitude or energy of a start from rest."""
-    return float(state[0]) if asked == "amplitude" else float(system.energy(state))
+    return abs(float(state[0])) if asked == "amplitude" else float(system.energy(state))
 
 
 def _between(system: System, asked: str, wanted: float, before: Array, here: Array) -> Array:

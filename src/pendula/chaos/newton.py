@@ -93,7 +93,11 @@ def closed_orbit(
         if t <= 0.0:
             break
         last = size
-    raise OrbitError(
+    raise _lost(state, period)
+
+
+def _lost(state: Array, period: float) -> OrbitError:
+    return OrbitError(
         "state",
         "must be near a periodic orbit: Newton's method does not converge from {value} with a "
         "period of {other} s",

@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 from pendula._checks import whole_number
+from pendula._late_methods import with_promised
 from pendula._tables import html_table
 from pendula.chaos.closing import Closing
 from pendula.chaos.multipliers import is_stable, kind_of, multipliers_of, rotation_angle
@@ -25,6 +26,7 @@ if TYPE_CHECKING:
 _MOST_POINTS = 10**6
 
 
+@with_promised
 @dataclass(frozen=True, eq=False, repr=False)
 class PeriodicOrbit:
     """A motion that repeats itself, and how motions beside it behave.

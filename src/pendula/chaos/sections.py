@@ -15,6 +15,7 @@ from pendula._checks import (
     states_array,
     whole_number,
 )
+from pendula._late_methods import with_promised
 from pendula._messages import ArgumentError
 from pendula._progress import with_bar
 from pendula.chaos.drive import drive_period, is_driven
@@ -44,6 +45,7 @@ _OPTIONS = "tolerance", "max_steps"
 SURFACE = angle(1, 0.0, direction=1, every_turn=True)  # θ1 = 0, ω1 > 0
 
 
+@with_promised
 @dataclass(frozen=True, eq=False, repr=False)
 class Section:
     """Where motions cross a surface, or are at each period of the drive.
