@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 from itertools import groupby
 from typing import TYPE_CHECKING, Any
 
@@ -12,6 +13,7 @@ from pendula.systems import system_from
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
+    from pendula._types import Array
     from pendula.plot.labels import Labels
     from pendula.systems import System
 
@@ -65,6 +67,22 @@ def case_of(
         for alike, same in groupby(rows, key=lambda row: row[1:])
     ]
     return f"{_form(system, words)}: {'; '.join(parts)}"
+
+
+def start_of(system: System, state: Array, words: Labels) -> str:
+    """The state at the start, (d,), angles in degrees."""
+    half = system.can.degrees_of_freedom
+    numbers = ("",) if half == 1 else ("₁", "₂")
+    parts = [
+        f"θ{i} = {words.local(f'{math.degrees(each):.6g}')}°"
+        for i, each in zip(numbers, state[:half].tolist(), strict=True)
+    ]
+    unit = "" if system.form == "scaled" else " rad/s"
+    parts += [
+        f"ω{i} = {words.local(f'{each:.6g}')}{unit}"
+        for i, each in zip(numbers, state[half:].tolist(), strict=True)
+    ]
+    return "; ".join(parts)
 
 
 def symbol_of(parameter: str) -> str:

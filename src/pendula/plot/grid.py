@@ -1,4 +1,4 @@
-"""Cells of a map: reading what a picture can show, and the axes, angles in degrees or parts of π."""
+"""Cells of a map: what a picture can show of them, and the axes, in degrees or parts of π."""
 
 from __future__ import annotations
 

@@ -21,7 +21,7 @@ from pendula.plot.map_drawing import (
     palette,
     rgb,
 )
-from pendula.plot.map_scale import inputs_of, number_ticks, seconds_of
+from pendula.plot.map_scale import inputs_of, number_ticks, power_ticks, seconds_of
 from pendula.plot.style import styled
 
 if TYPE_CHECKING:
@@ -108,7 +108,10 @@ def indicator_map(
     key(figure, place, [each for each, is_there in there.items() if is_there], "", words)
     if norm is not None:
         bar = colour_bar(figure, place, norm, colours, values[known], words.axis[name])
-        number_ticks(bar, words)
+        if name == "sali":
+            power_ticks(bar)
+        else:
+            number_ticks(bar, words)
     return figure if ax is None else ax
 
 

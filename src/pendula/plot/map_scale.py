@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 from pendula._attributes import KEY
 from pendula._checks import one_of
 from pendula._messages import ArgumentError
+from pendula.plot.style import power_of_ten
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -104,6 +105,15 @@ def number_ticks(bar: Any, words: Labels) -> None:
     bar.locator = LogLocator(subs=_within(low, high)) if logarithmic else MaxNLocator(6)
     bar.minorlocator = NullLocator()
     bar.formatter = FuncFormatter(lambda x, _: words.local(f"{x:.6g}"))
+    bar.update_ticks()
+
+
+def power_ticks(bar: Any) -> None:
+    """Put powers of ten at the ticks of a colour bar over many of them."""
+    from matplotlib.ticker import FuncFormatter, LogLocator, NullLocator
+
+    bar.locator, bar.minorlocator = LogLocator(numticks=9), NullLocator()
+    bar.formatter = FuncFormatter(power_of_ten)
     bar.update_ticks()
 
 
