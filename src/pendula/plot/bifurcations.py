@@ -21,6 +21,7 @@ if TYPE_CHECKING:
 
 _CHAOTIC, _REGULAR, _MARK = "#c2185b", "#0072b2", "#009e73"
 _MANY = 40_000  # points: beyond, they get smaller, down to a pixel
+_SURE = 3.0  # standard errors above 0: the colour of chaos
 _SIZES = 0.2, 1.6  # points² of a mark
 
 
@@ -96,10 +97,11 @@ def _exponents(ax: Axes, found: Bifurcation, words: Labels) -> None:
     error = found.standard_errors[order]
     ax.axhline(0.0, color=FAINT, linewidth=0.8, zorder=0)
     ax.fill_between(x, y - error, y + error, color=FAINT, alpha=0.6, linewidth=0, zorder=1)
-    ax.plot(x, np.where(y > 0.0, y, np.nan), ".", color=_CHAOTIC, markersize=2.2)
-    ax.plot(x, np.where(y > 0.0, np.nan, y), ".", color=_REGULAR, markersize=2.2)
+    chaotic = y > _SURE * np.nan_to_num(error)
+    for colour, chosen in ((_CHAOTIC, chaotic), (_REGULAR, ~chaotic)):
+        ax.plot(x[chosen], y[chosen], ".", color=colour, markersize=2.6)
     scaled = found.system.form == "scaled"
-    ax.set_ylabel(words.axis["lyapunov_scaled" if scaled else "lyapunov"])
+    ax.set_ylabel(words.axis["exponent_scaled" if scaled else "exponent"])
 
 
 def _case(found: Bifurcation, words: Labels) -> str:
