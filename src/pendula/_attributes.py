@@ -11,6 +11,7 @@ KEY = "pendula"  # what they were made from, as JSON
 UNFINISHED = "unfinished"  # of a store whose chunks are not all there
 _KINDS = {  # of files, by keys of their description
     "sweep": {"sweep"},
+    "chaos": {"chaos"},
     "map": {"map"},
     "ensemble": {"ensemble"},
     "comparison": {"reference", "outputs"},

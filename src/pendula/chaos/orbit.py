@@ -142,7 +142,7 @@ def orbit_of(
     return PeriodicOrbit(
         system,
         state,
-        period,
+        float(period),
         float(system.energy(state)),
         multipliers,
         kind_of(multipliers, conservative=conservative),

@@ -14,6 +14,7 @@ from pendula.cli.groups import ChoiceGroup, one_each
 from pendula.cli.map_output import check_targets, summary, write
 from pendula.cli.map_picture import look_options
 from pendula.cli.options import (
+    range_of,
     run_options,
     run_options_of,
     system_of,
@@ -34,7 +35,7 @@ if TYPE_CHECKING:
 
 _TURN, _SIZE = "-180deg:180deg", "500x500"
 _ANGLES = ("theta1", "theta2")
-_SECTION_UNITS = {"theta2": "rad", "p2": "J s"}
+_SECTION = {"theta2": ("rad", _TURN), "p2": ("J s", "-1:1")}  # unit and example of each axis
 _INDICATORS = {
     "megno": "MEGNO, the mean exponential growth of nearby orbits",
     "lyapunov": "the finite-time Lyapunov exponent",
@@ -178,7 +179,7 @@ def _asked(kind: str, entry: SystemEntry, given: dict[str, Any]) -> dict[str, An
     """The arguments of a map over two angles."""
     return {
         **_shared(entry, given),
-        **{name: _range(given[name], name) for name in _ANGLES},
+        **{name: range_of(given[name], name, "rad", _TURN) for name in _ANGLES},
         **({"indicator": kind} if kind in _INDICATORS else _OWN[kind](given)),
     }
 
@@ -188,8 +189,8 @@ def _section_asked(entry: SystemEntry, given: dict[str, Any]) -> dict[str, Any]:
     from pendula.units import quantity
 
     ranges = {
-        name: _range(given[name], name, unit)
-        for name, unit in _SECTION_UNITS.items()
+        name: range_of(given[name], name, unit, example)
+        for name, (unit, example) in _SECTION.items()
         if given[name] is not None
     }
     energy = quantity(given["energy"], "J", "energy")
@@ -219,23 +220,6 @@ def _of_divergence(given: dict[str, Any]) -> dict[str, Any]:
 
 
 _OWN = {"flip": _of_flips, "divergence": _of_divergence}
-
-
-def _range(text: str, name: str, unit: str = "rad") -> tuple[float, float]:
-    """A range such as -180deg:180deg, in that unit.
-
-    Raises:
-        ValueError: for anything else, or an angle without a unit.
-    """
-    from pendula._messages import ArgumentError
-    from pendula.units import quantity
-
-    ends = text.split(":")
-    if len(ends) != 2:
-        example = _TURN if unit == "rad" else "-1:1"
-        raise ArgumentError(name, f"must be a range such as {example}, got {{value}}", value=text)
-    low, high = (quantity(end, unit, name) for end in ends)
-    return low, high
 
 
 def _size(text: str) -> tuple[int, int]:

@@ -261,7 +261,8 @@ def _ensemble(found: Held, given: dict[str, Any]) -> Drawing:
 def _table(found: Held, given: dict[str, Any]) -> Drawing:
     from pendula.cli.shown import rows_of
 
-    _say({"comparison": "comparison of methods", "events": "events of a run"}[found.kind])
+    names = {"comparison": "comparison of methods", "events": "events of a run"}
+    _say(names.get(found.kind, "measure of chaos"))
     for name, each in found.known.items():
         if name != "rows":
             _say(f"{name}: {each if isinstance(each, str) else json.dumps(each)}")
@@ -277,6 +278,7 @@ _SHOWN: dict[str, Callable[[Held, dict[str, Any]], Drawing]] = {
     "ensemble": _ensemble,
     "comparison": _table,
     "events": _table,
+    "chaos": _table,
 }
 
 command = click.Command(

@@ -68,7 +68,8 @@ def bifurcation(
 
 def _angles(found: Bifurcation, quantity: str) -> bool:
     """Whether the angle is drawn."""
-    choices = {"angle": True, "rate": False, "auto": found.exponents.shape[1] == 4}
+    double = found.exponents.shape[1] == 4
+    choices = {"angle": True, "rate": False, "auto": bool(double)}
     if quantity not in choices:
         rule = "must be one of {choices}, got {value}"
         raise ArgumentError("quantity", rule, choices=tuple(choices), value=quantity)
@@ -107,4 +108,4 @@ def _exponents(ax: Axes, found: Bifurcation, words: Labels) -> None:
 def _case(found: Bifurcation, words: Labels) -> str:
     energy = found.recipe.get("energy")
     values = {} if energy is None else {"E": (float(energy), "J")}
-    return case_of(found.system, words, without=(found.parameter,), **values)
+    return case_of(found.system, words, values, without=(found.parameter,))

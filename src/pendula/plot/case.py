@@ -44,15 +44,19 @@ _UNITS = {"m/s^2": "m/s²", "kg m^2": "kg m²", "N m s^2": "N m s²", "N m s^3":
 
 
 def case_of(
-    system: System, words: Labels, *, without: tuple[str, ...] = (), **values: tuple[float, str]
+    system: System,
+    words: Labels,
+    values: Mapping[str, tuple[float, str]] | None = None,
+    *,
+    without: tuple[str, ...] = (),
 ) -> str:
     """The form, its parameters that are not 0, equal ones together; then symbols and values.
 
     Args:
         system: the pendulum.
         words: of the language.
+        values: further ones with their units, by symbol.
         without: names of parameters that the picture shows along an axis.
-        **values: further ones with their units, by symbol.
     """
     given = system.parameters
     still = () if given.get("pivot_amplitude") else ("pivot_direction", "pivot_phase")
@@ -61,10 +65,10 @@ def case_of(
         for row in system._rows()
         if given[row.name] and row.name not in (*without, *still)
     ]
-    rows += [(symbol, *given) for symbol, given in values.items()]
+    rows += [(symbol, *each) for symbol, each in (values or {}).items()]
     parts = [
-        " = ".join([*(each[0] for each in same), _with_unit(*alike, words)])
-        for alike, same in groupby(rows, key=lambda row: row[1:])
+        " = ".join([*(each[0] for each in same), _with_unit(value, unit, words)])
+        for (value, unit), same in groupby(rows, key=lambda row: (row[1], row[2]))
     ]
     return f"{_form(system, words)}: {'; '.join(parts)}"
 
@@ -91,14 +95,14 @@ def symbol_of(parameter: str) -> str:
 
 
 def stored_case(
-    attributes: Mapping[Any, Any], words: Labels, **values: tuple[float, str]
+    attributes: Mapping[Any, Any], words: Labels, values: Mapping[str, tuple[float, str]]
 ) -> str | None:
     """The case of a map with these attributes; None: they lack the system."""
     try:
         described = json.loads(attributes[KEY])["system"]
     except (KeyError, TypeError, ValueError):
         return None
-    return case_of(system_from(described), words, **values)
+    return case_of(system_from(described), words, values)
 
 
 def _form(system: System, words: Labels) -> str:

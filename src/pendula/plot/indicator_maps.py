@@ -163,4 +163,4 @@ def _case(attributes: Mapping[Any, Any], words: Labels) -> str | None:
         values["E"] = float(energy), "J"
     if t_max is not None:
         values["t"] = t_max, "s"
-    return stored_case(attributes, words, **values)
+    return stored_case(attributes, words, values)

@@ -69,7 +69,7 @@ def _case(orbit: PeriodicOrbit, words: Labels) -> str:
     values = {"T": (orbit.period, "" if orbit.system.form == "scaled" else "s")}
     if orbit.conservative:
         values["E"] = orbit.energy, "J"
-    shown = case_of(orbit.system, words, **values)
+    shown = case_of(orbit.system, words, values)
     return f"{shown}\n{start_of(orbit.system, orbit.state, words)}"
 
 

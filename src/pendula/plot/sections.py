@@ -160,4 +160,4 @@ def _axes(ax: Axes, found: Section, x: Array, words: Labels) -> None:
 def _case(found: Section, words: Labels) -> str:
     energy = found.recipe.get("energy")
     values = {} if energy is None else {"E": (float(energy), "J")}
-    return case_of(found.system, words, **values)
+    return case_of(found.system, words, values)
