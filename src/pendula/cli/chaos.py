@@ -7,8 +7,9 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from pendula.cli.chaos_bifurcation import bifurcation_command
 from pendula.cli.chaos_files import check_targets, deliver, output_options
-from pendula.cli.chaos_orbits import bifurcation_command, orbit_command
+from pendula.cli.chaos_orbits import orbit_command
 from pendula.cli.groups import ChoiceGroup, one_each
 from pendula.cli.options import (
     run_options,

@@ -1,4 +1,4 @@
-"""`pendula chaos orbit` and `pendula chaos bifurcation`."""
+"""`pendula chaos orbit`: a periodic orbit, and its family."""
 
 from __future__ import annotations
 
@@ -22,13 +22,13 @@ from pendula.systems import systems_that
 
 if TYPE_CHECKING:
     from pendula._engine import SystemEntry
-    from pendula.chaos import Bifurcation, Change, Family, PeriodicOrbit
+    from pendula.chaos import Change, Family, PeriodicOrbit
 
 _RANGE = "1:20"
-_WITHOUT = "the {system} pendulum {reason}; use pendula chaos {command} double, or driven"
-
-
-# ---- periodic orbits ----
+_WITHOUT = (
+    "the {system} pendulum has no periodic orbits of its own kind; "
+    "use pendula chaos orbit double, driven or simple"
+)
 
 
 def _orbit_options(entry: SystemEntry) -> list[click.Parameter]:
@@ -77,7 +77,7 @@ def _orbit(entry: SystemEntry, **given: Any) -> None:
     with late_bar("family"):
         followed = family(found, given["orbits"], **along)
     columns = _columns(list(followed.orbits))
-    printed = _changes_table(followed.changes, followed.along)
+    printed = changes_table(followed.changes, followed.along)
     deliver(given, targets, followed, columns, printed, _told_of_family(followed))
 
 
@@ -151,7 +151,7 @@ def _told(orbit: PeriodicOrbit) -> str:
     )
 
 
-def _changes_table(changes: tuple[Change, ...], along: str) -> str:
+def changes_table(changes: tuple[Change, ...], along: str) -> str:
     """Where stability changes."""
     rows = [
         [
@@ -181,125 +181,11 @@ def _told_of_family(found: Family) -> str:
 def orbit_command() -> ChoiceGroup:
     """The subcommand, of the systems that have periodic orbits."""
     chosen = [each for each in systems_that() if each.name in ("double", "driven", "simple")]
-    reason = "has no isolated periodic orbits"
     return one_each(
         "orbit",
         "A periodic orbit near a start, its multipliers, and its family.",
         chosen,
         _orbit_options,
         _orbit,
-        without=_WITHOUT.format(system="{system}", reason=reason, command="orbit"),
-    )
-
-
-# ---- bifurcations ----
-
-
-def _bifurcation_options(entry: SystemEntry) -> list[click.Parameter]:
-    double = entry.name == "double"
-    return [
-        *system_options(entry),
-        *([] if double else start_options(entry)),
-        click.Option(
-            ["--along"],
-            required=True,
-            metavar="NAME=LO:HI",
-            help=f"parameter and its range, e.g. {'energy=1:15' if double else 'a=1:1.15'}",
-        ),
-        click.Option(
-            ["--values"], type=int, metavar="N", default=300, show_default=True, help="how many"
-        ),
-        *([value("energy", "energy, where another parameter is varied")] if double else []),
-        click.Option(
-            ["--points"], type=int, metavar="N", default=200, show_default=True, help="at each"
-        ),
-        click.Option(
-            ["--transient"],
-            type=int,
-            metavar="N",
-            default=300,
-            show_default=True,
-            help="periods left out before them",
-        ),
-        click.Option(
-            ["--fresh"], is_flag=True, help="start each value anew, not where the last one ended"
-        ),
-        *output_options("every point", "the points, and the exponent below"),
-    ]
-
-
-def _bifurcation(entry: SystemEntry, **given: Any) -> None:
-    import numpy as np
-
-    from pendula.chaos import bifurcation
-    from pendula.units import quantity
-
-    system: Any = system_of(entry, given)
-    name, low, high = _parameter(entry, given["along"])
-    how: dict[str, Any] = {} if entry.name == "double" else {"state": start_of(entry, given)}
-    if given.get("energy") is not None:
-        how["energy"] = quantity(given["energy"], "J", "energy")
-    targets = check_targets(given)
-    values = np.linspace(low, high, max(given["values"], 1))
-    with late_bar("bifurcation") as progress:
-        found = bifurcation(
-            system,
-            name,
-            values,
-            points=given["points"],
-            transient=given["transient"],
-            follow=not given["fresh"],
-            progress=progress,
-            **how,
-        )
-    printed = _changes_table(found.changes, found.parameter)
-    deliver(given, targets, found, _points(found), printed, _told_of_bifurcation(found))
-
-
-def _parameter(entry: SystemEntry, text: str) -> tuple[str, float, float]:
-    """Name and range of --along."""
-    units = {row.name: row.unit for form in entry.forms for row in form.parameters}
-    if entry.name == "double":
-        units = {"energy": "J", **units}
-    name, _, ends = text.partition("=")
-    if name not in units:
-        known = ", ".join(units)
-        raise ValueError(f"--along must be NAME=LO:HI with one of {known}, got {text!r}")
-    return (name, *range_of(ends, "along", units[name], _RANGE))
-
-
-def _points(found: Bifurcation) -> dict[str, Any]:
-    """A row for each point."""
-    m = found.points.shape[1]
-    names = ("theta2 [rad]", "p2 [J s]") if found.exponents.shape[1] == 4 else ("theta", "omega")
-    return {
-        found.parameter: [each for each in found.values.tolist() for _ in range(m)],
-        **{name: found.points[..., i].ravel().tolist() for i, name in enumerate(names)},
-        "exponent": [each for each in found.exponents[:, 0].tolist() for _ in range(m)],
-        "period": [int(each) for each in found.periods for _ in range(m)],
-    }
-
-
-def _told_of_bifurcation(found: Bifurcation) -> str:
-    errors = found.standard_errors
-    chaotic = int((found.exponents[:, 0] > 3.0 * errors).sum())
-    return (
-        f"{found.values.size} values of {found.parameter}, {found.points.shape[1]} points each; "
-        f"{chaotic} with a positive exponent, {len(found.doublings)} period doublings; "
-        f"{int(found.n_steps.sum())} steps"
-    )
-
-
-def bifurcation_command() -> ChoiceGroup:
-    """The subcommand, of driven and double pendulums."""
-    chosen = [each for each in systems_that() if each.name in ("double", "driven")]
-    return one_each(
-        "bifurcation",
-        "Where motions go in the end, over values of a parameter.",
-        chosen,
-        _bifurcation_options,
-        _bifurcation,
-        without=_WITHOUT.format(
-            system="{system}", reason="has nothing to bifurcate", command="bifurcation"
-        ),
+        without=_WITHOUT,
     )
