@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 Known = tuple[float, PeriodicOrbit]
 
 _FIRST = 0.1  # of the way to the first value: nothing is known yet of where the orbits go
-_SHORTEST = 1e-7  # of the way to a value; the branch is lost there
+_SHORTEST = 1e-5  # of the way to a value; the branch is lost there
 _FURTHEST = -4.0  # times the way between two orbits, that the line through them is followed
 _BEND = 0.05  # rad, or of the frequency: how far an orbit may be from where it is looked for
 

@@ -6,7 +6,7 @@ import math
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
-from pendula._checks import finite_array, numbers_array, whole_number
+from pendula._checks import extra, finite_array, whole_number
 from pendula._messages import ArgumentError
 from pendula.chaos.lines import BINS_APART, Lines, fitted_lines
 
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 _LEAST, _MOST = 32, 10**7  # samples
 _MOST_LINES = 200
 _UNEVEN = 1e-6  # of a step, by which times may be off the grid: those of a long run are rounded
-_ROUNDED = 1e-12  # of the largest frequency: uncertainties below are those of the samples' digits
+_ROUNDED = 1e-12  # of the series or of the largest frequency: less is the samples' own rounding
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -55,8 +55,6 @@ class Frequencies:
 
     def to_xarray(self) -> xr.Dataset:
         """A dataset over the lines (extra: io)."""
-        from pendula._checks import extra
-
         lines = {
             "frequency": ("line", self.frequencies, {"units": "rad/s"}),
             "uncertainty": ("line", self.uncertainties, {"units": "rad/s"}),
@@ -79,7 +77,7 @@ def frequencies(t: ArrayLike, x: ArrayLike, n: int) -> Frequencies:
 
     Numerical analysis of fundamental frequencies (Laskar 1990, Icarus 88, 266; Laskar 1999, in
     Simó (ed.), Hamiltonian Systems with Three or More Degrees of Freedom, p. 134): maxima of the
-    spectrum under the window (1 + cos πs)^5, one after another. Then, unlike there, all lines are
+    spectrum under the window (1 + cos πs)^3, one after another. Then, unlike there, all lines are
     fitted together by least squares under the same window, and more of them than are asked for,
     so that no line is shifted by its neighbours.
 
@@ -128,7 +126,7 @@ def frequencies(t: ArrayLike, x: ArrayLike, n: int) -> Frequencies:
 def _limit(found: Lines, order: NDArray[Any], span: float) -> str:
     """What limits the frequencies that were asked for, in words."""
     largest = abs(found.frequencies[order]).max()
-    if found.uncertainties[order].max() <= _ROUNDED * largest:
+    if min(found.residual, found.uncertainties[order].max() / largest) <= _ROUNDED:
         return "rounding of the samples"
     apart = BINS_APART * math.tau / span
     return (
@@ -166,18 +164,13 @@ def _checked_series(x: ArrayLike, count: int) -> NDArray[Any]:
 
     given = np.asarray(x)
     if given.dtype.kind == "c":
-        parts = numbers_array("x", np.stack([given.real, given.imag], axis=-1))
+        parts = finite_array("x", np.stack([given.real, given.imag], axis=-1))
         series: NDArray[Any] = parts[..., 0] + 1j * parts[..., 1]
     else:
-        series = numbers_array("x", x)
+        series = finite_array("x", x)
     if series.shape != (count,):
         rule = "must hold one number for each of the {other} times, got shape {value}"
         raise ArgumentError("x", rule, other=str(count), value=series.shape)
-    if not np.isfinite(series).all():
-        place = int((~np.isfinite(series)).argmax())
-        raise ArgumentError(
-            "x", "must be finite, got {value} at {place}", place=f"x[{place}]", value=series[place]
-        )
     if not series.any():
         raise ArgumentError("x", "must not be zero throughout")
     return series

@@ -11,12 +11,12 @@ if TYPE_CHECKING:
 
     from pendula._types import Array
 
-_POWER = 5  # of the window (1 + cos πs)^p: a line n bins away leaks as n^-(2p + 1)
+_POWER = 3  # of the window (1 + cos πs)^p: a line n bins away leaks as n^-(2p + 1)
 BINS_APART = 2.0  # of two lines that are told apart
 _WIDE_BINS = 2.0 * (_POWER + 1)  # within which the window mixes two lines
 _PADDING = 4  # of the transform in which lines are looked for
 _BLOCK = 4096  # samples worked on at a time
-_MORE_LINES = 24  # than are asked for are fitted
+_MORE_LINES = 16  # than are asked for are fitted
 _FAINTEST = 1e-14  # of the series' size: fainter lines are rounding
 _FITS = 12  # steps of least squares, at most
 _SETTLED = 1e-15  # bins times amplitude, of the strongest line's: a smaller change is rounding
@@ -146,11 +146,15 @@ def _fitted(
     """Lines after steps of Gauss and Newton for the least weighted squares."""
     import numpy as np
 
+    moving = (ws != 0.0) | (not given.real)
+    free = np.concatenate([np.full(ws.size, True), moving, moving])  # a mean has no phase
     for _ in range(steps):
         matrix, slope = _normal_equations(given, ws, amplitudes)
-        scale = np.sqrt(np.where(matrix.diagonal() > 0.0, matrix.diagonal(), 1.0))
-        found = np.linalg.lstsq(matrix / np.outer(scale, scale), slope / scale, rcond=1e-11)[0]
-        change = (found / scale).reshape(3, -1)
+        scale = np.sqrt(matrix.diagonal()[free])
+        inner = matrix[np.ix_(free, free)] / np.outer(scale, scale)
+        found = np.zeros(free.size)
+        found[free] = np.linalg.lstsq(inner, slope[free] / scale, rcond=1e-11)[0] / scale
+        change = found.reshape(3, -1)
         turn = np.clip(change[2] / given.bin, -0.5, 0.5)
         ws = ws + turn * given.bin
         amplitudes = amplitudes + change[0] + 1j * change[1]

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 _FIRST = 0.02  # rad: how far the first orbit is from rest, where the mode is all but linear
 # Steps along the family, in radians and periods over the small oscillation's
-_LONGEST, _SHORTEST, _GROWTH = 0.15, 1e-6, 1.5
+_LONGEST, _SHORTEST, _GROWTH = 0.15, 1e-5, 1.5
 _MOST_STEPS = 4000
 _BEND = 0.02  # by which an orbit may differ from where it was looked for
 

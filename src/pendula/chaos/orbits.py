@@ -27,6 +27,7 @@ _SAME = 3e-5  # rad: orbits nearer to one another are one, found with more or fe
 _LONGEST = 40.0  # slow swings, within which a period is looked for
 _SAMPLES = 60  # in a fast swing
 _AT_REST = 0.03  # of the largest kinetic energy: nearly at rest again
+_STILL = 1e-12  # rad from an equilibrium
 _RETURNED = 0.05  # of the largest distance: nearly back
 
 
@@ -95,6 +96,8 @@ def best_closed(
     for closing in candidates:
         try:
             closed = closed_orbit(system, closing, rows, start, period, driven=driven)
+            if not driven:
+                _check_moving(system, closed.state)
         except OrbitError:
             if closing is candidates[-1] and not found:
                 raise
@@ -118,6 +121,14 @@ def _check_conservative(system: System, start: Array) -> None:
     if not system.rhs(start).any():
         rule, way_out = "is an equilibrium, {value}: it has no period", "let it move"
         raise ArgumentError("state", rule, way_out, value=start.tolist())
+
+
+def _check_moving(system: System, state: Array) -> None:
+    """Refuse an equilibrium, which closes after any time."""
+    if abs(system.rhs(state)).max() < _STILL * system.fastest_frequency**2:
+        rule = "must be near a periodic orbit: Newton's method leads to the equilibrium {value}"
+        way_out = "start further from it, or give <period>"
+        raise OrbitError("state", rule, way_out, value=[round(float(each), 6) for each in state])
 
 
 def _conditions(system: System, start: Array, energy: float | None) -> list[Row]:
