@@ -75,7 +75,7 @@ def test_the_largest_singular_value(case: dict[str, Any]) -> None:
 
 
 def test_megno_of_a_regular_motion_is_two() -> None:
-    starts = np.array([CALM, (0.3, 0.3, 0.0, 0.0), (0.1, 0.2, 0.0, 0.5)])
+    starts = np.array([CALM, (1.0, 0.8, 0.0, 0.0), (0.6, -0.9, 0.0, 0.0)])
     found = megno(RODS, starts, [2000.0])
     assert np.abs(found.mean[:, -1] - 2.0).max() < 0.1
     assert list(found.verdict) == ["regular"] * 3

@@ -108,10 +108,7 @@ def indicator_map(
     key(figure, place, [each for each, is_there in there.items() if is_there], "", words)
     if norm is not None:
         bar = colour_bar(figure, place, norm, colours, values[known], words.axis[name])
-        if name == "sali":
-            power_ticks(bar)
-        else:
-            number_ticks(bar, words)
+        power_ticks(bar) if name == "sali" else number_ticks(bar, words)
     return figure if ax is None else ax
 
 
