@@ -78,6 +78,11 @@ class Bifurcation:
             f"{self.points.shape[1]} points each, {len(self.doublings)} period doublings>"
         )
 
+    if TYPE_CHECKING:  # attached by the module that defines it
+
+        def plot(self, *, language: str = "en") -> Any:
+            """See `pendula.plot.bifurcation`."""
+
     def to_xarray(self) -> xr.Dataset:
         """Points, exponents and periods over the parameter (extra: io)."""
         names = ("theta2", "p2") if self.exponents.shape[1] == 4 else ("theta", "omega")

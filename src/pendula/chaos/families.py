@@ -82,6 +82,11 @@ class Family:
             f"changes at: {changes}>"
         )
 
+    if TYPE_CHECKING:  # attached by the module that defines it
+
+        def plot(self, *, language: str = "en") -> Any:
+            """See `pendula.plot.family`."""
+
     def to_xarray(self) -> xr.Dataset:
         """Starts, periods, energies and multipliers over the value (extra: io)."""
         import numpy as np

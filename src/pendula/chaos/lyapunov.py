@@ -10,6 +10,7 @@ from pendula._late_methods import with_promised
 from pendula._messages import ArgumentError
 from pendula._progress import part, with_bar
 from pendula._tables import html_table
+from pendula.chaos.datasets import dataset_of
 from pendula.chaos.variations import OPTIONS, Asked, asked_of, first_variations
 from pendula.chaos.verdict import standard_error_of_mean, verdict_of
 from pendula.run.options import takes_options
@@ -18,6 +19,7 @@ from pendula.run.solve import solve
 if TYPE_CHECKING:
     from typing import Unpack
 
+    import xarray as xr
     from numpy.typing import ArrayLike
 
     from pendula._progress import AskedProgress, Progress
@@ -99,6 +101,25 @@ class Lyapunov:
         first = self.running[..., half - 1, 0]
         second = (self.exponents[..., 0] * whole - first * until) / (whole - until)
         return np.abs(second - self.exponents[..., 0]) <= 2.0 * self.standard_error[..., 0]
+
+    def to_xarray(self) -> xr.Dataset:
+        """Exponents, their errors and the running estimates (extra: io)."""
+        rate = "1/s"
+        told: dict[str, Any] = {
+            "exponent": (("order",), self.exponents, rate, "Lyapunov exponent"),
+            "standard_error": (("order",), self.standard_error, rate, "of the exponent"),
+            "running": (("t", "order"), self.running, rate, "estimate up to each time"),
+            "verdict": ((), self.verdict, "", "by the mean MEGNO"),
+            "mean_megno": ((), self.mean_megno, "1", "mean MEGNO of the whole run"),
+            "n_steps": ((), self.n_steps, "1", "steps of the run"),
+            "outcome": ((), self.outcome, "", "how the run ended"),
+        }
+        return dataset_of("Lyapunov", self.system, self.start, self.t, told)
+
+    if TYPE_CHECKING:  # attached by the module that defines it
+
+        def plot(self, *, ax: Any = None, language: str = "en") -> Any:
+            """See `pendula.plot.running`."""
 
     def _check_all(self) -> None:
         have, all_of_them = self.exponents.shape[-1], len(self.system.components)

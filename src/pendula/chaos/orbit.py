@@ -97,6 +97,11 @@ class PeriodicOrbit:
         times = np.linspace(0.0, self.period, whole_number("n", n, _MOST_POINTS))
         return solve(self.system, self.state, times)
 
+    if TYPE_CHECKING:  # attached by the module that defines it
+
+        def plot(self, *, language: str = "en") -> Any:
+            """See `pendula.plot.periodic_orbit`."""
+
     def __repr__(self) -> str:
         return (
             f"<PeriodicOrbit of {self.system!r}: period {self.period:.12g} s, "

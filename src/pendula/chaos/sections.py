@@ -87,6 +87,11 @@ class Section:
         n, m = self.times.shape
         return f"<Section of {self.system!r}: {n} motions, {m} crossings each>"
 
+    if TYPE_CHECKING:  # attached by the module that defines it
+
+        def plot(self, *, ax: Any = None, language: str = "en") -> Any:
+            """See `pendula.plot.section`."""
+
     def to_xarray(self) -> xr.Dataset:
         """Times, states and p2 over start and crossing (extra: io)."""
         both = ("start", "crossing")
