@@ -112,5 +112,5 @@ def _form(system: System, words: Labels) -> str:
 
 
 def _with_unit(value: float, unit: str, words: Labels) -> str:
-    text = words.local(f"{value:.7g}")
+    text = words.local(f"{value:.6g}")
     return f"{text} {_UNITS.get(unit, unit)}".rstrip()
