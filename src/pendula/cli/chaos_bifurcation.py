@@ -23,6 +23,7 @@ from pendula.systems import systems_that
 if TYPE_CHECKING:
     from pendula._engine import SystemEntry
     from pendula.chaos import Bifurcation
+    from pendula.systems import System
 
 _RANGE = "1:20"
 _WITHOUT = (
@@ -71,7 +72,7 @@ def _bifurcation(entry: SystemEntry, **given: Any) -> None:
     from pendula.units import quantity
 
     system: Any = system_of(entry, given)
-    name, low, high = _parameter(entry, given["along"])
+    name, low, high = _parameter(system, given["along"])
     how: dict[str, Any] = {} if entry.name == "double" else {"state": start_of(entry, given)}
     if given.get("energy") is not None:
         how["energy"] = quantity(given["energy"], "J", "energy")
@@ -92,10 +93,10 @@ def _bifurcation(entry: SystemEntry, **given: Any) -> None:
     deliver(given, targets, found, _points(found), printed, _told_of_bifurcation(found))
 
 
-def _parameter(entry: SystemEntry, text: str) -> tuple[str, float, float]:
+def _parameter(system: System, text: str) -> tuple[str, float, float]:
     """Name and range of --along."""
-    units = {row.name: row.unit for form in entry.forms for row in form.parameters}
-    if entry.name == "double":
+    units = {row.name: row.unit for row in system._rows()}
+    if system.name == "double":
         units = {"energy": "J", **units}
     name, _, ends = text.partition("=")
     if name not in units:

@@ -23,6 +23,7 @@ from pendula.systems import systems_that
 if TYPE_CHECKING:
     from pendula._engine import SystemEntry
     from pendula.chaos import Change, Family, PeriodicOrbit
+    from pendula.systems import System
 
 _RANGE = "1:20"
 _WITHOUT = (
@@ -68,9 +69,10 @@ def _orbit_options(entry: SystemEntry) -> list[click.Parameter]:
 def _orbit(entry: SystemEntry, **given: Any) -> None:
     from pendula.chaos import family
 
-    along = _along(entry, given)
+    system = system_of(entry, given)
+    along = _along(system, given["family"])
     targets = check_targets(given)
-    found = _found_orbit(entry, given)
+    found = _found_orbit(entry, system, given)
     if along is None:
         deliver(given, targets, found, _columns([found]), _orbit_table(found), _told(found))
         return
@@ -81,11 +83,10 @@ def _orbit(entry: SystemEntry, **given: Any) -> None:
     deliver(given, targets, followed, columns, printed, _told_of_family(followed))
 
 
-def _found_orbit(entry: SystemEntry, given: dict[str, Any]) -> PeriodicOrbit:
+def _found_orbit(entry: SystemEntry, system: Any, given: dict[str, Any]) -> PeriodicOrbit:
     from pendula.chaos import normal_mode, periodic_orbit
     from pendula.units import quantity
 
-    system: Any = system_of(entry, given)
     units = {"amplitude": "rad", "energy": "J", "period": "s"}
     asked: dict[str, Any] = {
         name: None if given.get(name) is None else quantity(given[name], unit, name)
@@ -99,16 +100,15 @@ def _found_orbit(entry: SystemEntry, given: dict[str, Any]) -> PeriodicOrbit:
     return periodic_orbit(system, start_of(entry, given), **asked)
 
 
-def _along(entry: SystemEntry, given: dict[str, Any]) -> dict[str, tuple[float, float]] | None:
+def _along(system: System, text: str | None) -> dict[str, tuple[float, float]] | None:
     """The range of --family, by what it goes along."""
-    text = given["family"]
     if text is None:
         return None
     name, equals, ends = text.partition("=")
-    if entry.can.conservative and not equals:
-        return {"energy": range_of(ends or name, "family", "J", _RANGE)}
-    units = {row.name: row.unit for form in entry.forms for row in form.parameters}
-    if not equals or name not in units:
+    if system.can.conservative and not equals:
+        return {"energy": range_of(name, "family", "J", _RANGE)}
+    units = {row.name: row.unit for row in system._rows()}
+    if name not in units:
         known = ", ".join(units)
         raise ValueError(f"--family must be such as a=1:1.08, of {known}, got {text!r}")
     return {name: range_of(ends, "family", units[name], _RANGE)}
