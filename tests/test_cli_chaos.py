@@ -129,7 +129,7 @@ def test_an_orbit_and_its_family(call: Call) -> None:
 
 
 def test_an_orbit_from_a_start(call: Call) -> None:
-    line = f"chaos orbit {SCALED.replace('1.07', '1')} --theta 0rad --omega 1.9rad/s"
+    line = f"chaos orbit {SCALED.replace('1.07', '1')} --theta=-1rad --omega 1.9rad/s"
     code, printed, _ = call(line)
     assert code == 0
     assert "stable node" in printed

@@ -30,6 +30,7 @@ from refusals import told
 RODS = DoublePendulum.rods(gravity=9.81)
 WILD, CALM = (2.0, 2.5, 0.0, 0.0), (0.4, -0.3, 0.2, 0.1)
 SCALED = DrivenPendulum.scaled(2.0, 1.0, 2.0 / 3.0)
+OTHER: Any = 3
 EN = "rods: m₁ = m₂ = 1 kg; l₁ = l₂ = 1 m; g = 9.81 m/s²"
 ES = "varillas: m₁ = m₂ = 1 kg; l₁ = l₂ = 1 m; g = 9,81 m/s²"
 
@@ -135,7 +136,7 @@ def test_a_section_shows_its_points_in_the_colours_of_an_indicator() -> None:
     assert f"{ES}; E = 10 J" in texts(black)
     values = np.array([2.0, 100.0, 3.0, 50.0, 2.0, 10.0])
     figure = plot.section(found, values)
-    drawn = figure.axes[0].collections[0]
+    drawn: Any = figure.axes[0].collections[0]
     assert drawn.norm.vmin == 2.0
     assert drawn.norm.vmax == 100.0
     assert list(np.unique(drawn.get_array())) == sorted(set(values))
@@ -264,12 +265,15 @@ def test_the_same_picture_has_the_same_bytes(kind: str) -> None:
 @pytest.mark.parametrize(
     ("call", "message"),
     [
-        (lambda: plot.running(3), "result must be what lyapunov, megno, sali or gali returned"),
-        (lambda: plot.section(3), "found must be what pendula.chaos.section returned"),
-        (lambda: plot.family(3), "found must be what pendula.chaos.family returned"),
-        (lambda: plot.periodic_orbit(3), "orbit must be a periodic orbit of pendula.chaos"),
-        (lambda: plot.bifurcation(3), "found must be what pendula.chaos.bifurcation returned"),
-        (lambda: plot.indicator_map(3), "dataset must be a dataset of pendula.chaos.indicator_map"),
+        (lambda: plot.running(OTHER), "result must be what lyapunov, megno, sali or gali returned"),
+        (lambda: plot.section(OTHER), "found must be what pendula.chaos.section returned"),
+        (lambda: plot.family(OTHER), "found must be what pendula.chaos.family returned"),
+        (lambda: plot.periodic_orbit(OTHER), "orbit must be a periodic orbit of pendula.chaos"),
+        (lambda: plot.bifurcation(OTHER), "found must be what pendula.chaos.bifurcation returned"),
+        (
+            lambda: plot.indicator_map(OTHER),
+            "dataset must be a dataset of pendula.chaos.indicator_map",
+        ),
         (
             lambda: plot.section(section(RODS, WILD, crossings=3), [1.0, 2.0]),
             "indicator must have shape (1,), got shape (2,)",

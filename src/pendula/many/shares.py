@@ -42,7 +42,7 @@ def chaotic_share(
     system: DoublePendulum,
     energies: ArrayLike,
     *,
-    n: int = 150,
+    n: int = 400,
     t_max: float = 400.0,
     seed: int = 0,
     threads: int | None = None,
