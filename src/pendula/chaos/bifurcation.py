@@ -41,6 +41,7 @@ class Bifurcation:
     """Where motions go in the end, over a parameter.
 
     Attributes:
+        system: the pendulum, with a value of the parameter that was not used.
         parameter: its name.
         values: of it, in the order they were taken, (n,).
         points: of the motion after the transient, (n, m, 2): (θ, ω) of one bob at each period of
@@ -53,6 +54,7 @@ class Bifurcation:
         recipe: the arguments that it was made with.
     """
 
+    system: System
     parameter: str
     values: Array
     points: Array
@@ -70,7 +72,7 @@ class Bifurcation:
 
     def __repr__(self) -> str:
         return (
-            f"<Bifurcation over {self.values.size} values of {self.parameter}, "
+            f"<Bifurcation of {self.system!r} over {self.values.size} values of {self.parameter}, "
             f"{self.points.shape[1]} points each, {len(self.doublings)} period doublings>"
         )
 
@@ -146,7 +148,7 @@ def bifurcation(
         start = number_pair("section", section, "must be (theta2, p2)", "")
         one_of("parameter", parameter, ("energy", *system.parameters))
         found = on_section(system, parameter, taken, energy, start, count, report)
-        return _collected(parameter, taken, found, (), {**recipe, "energy": energy})
+        return _collected(system, parameter, taken, found, (), {**recipe, "energy": energy})
     one_of("parameter", parameter, system.parameters)
     first = checked_state([0.0, 0.0] if state is None else state, system)
     systems = [
@@ -157,10 +159,11 @@ def bifurcation(
         _check_driven(each)
     found = at_strobes(systems, first, left_out, count, followed, report)
     met = changes_over(found, parameter) if located else []
-    return _collected(parameter, taken, found, met, {**recipe, "state": first.tolist()})
+    return _collected(system, parameter, taken, found, met, {**recipe, "state": first.tolist()})
 
 
 def _collected(
+    system: System,
     parameter: str,
     values: Array,
     found: list[Attractor],
@@ -171,6 +174,7 @@ def _collected(
     import numpy as np
 
     return Bifurcation(
+        system,
         parameter,
         values,
         np.array([each.points for each in found]),
