@@ -179,6 +179,7 @@ def test_a_certified_exponent_ends_with_the_trust_in_the_states() -> None:
     assert 10.0 < found.trust_horizon < 60.0
     right = solve(RODS, WILD, [60.0], certify=1e-6).trust_horizon
     assert found.trust_horizon == right
+    assert right is not None
     last = found.t[found.t <= right][-1]
     assert found.finite_time[0] == found.running[found.t == last, 0].item()
 

@@ -103,6 +103,18 @@ def test_an_orbit_from_a_moving_start(case: Any) -> None:
     assert abs(again.state - orbit.state).max() < 1e-14
 
 
+def test_orbits_that_turn_over() -> None:
+    """Both rods turn together; turns are counted out."""
+    found = periodic_orbit(RODS, (0.0, 0.0, 8.0, 8.0))
+    assert found.turns == (1, 1)
+    assert found.closure < 1e-12
+    again = periodic_orbit(
+        RODS, np.round(found.state, 4), round(found.period, 4), energy=found.energy
+    )
+    assert abs(again.state - found.state).max() < 1e-12
+    assert abs(again.multipliers - found.multipliers).max() < 1e-11
+
+
 def test_small_modes_are_the_linear_ones() -> None:
     system = DoublePendulum.bobs(1.3, 0.7, 0.8, 1.1)
     modes = system.normal_modes()
@@ -196,6 +208,7 @@ def test_a_family_that_ends_is_told() -> None:
     ("call", "says"),
     [
         (lambda: periodic_orbit(RODS, (0.0, 0.0, 0.0, 0.0)), "state is an equilibrium"),
+        (lambda: periodic_orbit(RODS, (0.0, 0.0, 12.0, -12.0), 33.36), "must be near a periodic"),
         (lambda: periodic_orbit(RODS, (0.5, 0.5, 0.0, 0.0), -1.0), "period must be positive"),
         (lambda: periodic_orbit(driven(1.0), (0.0, 0.0), 5.0), "period must be a multiple"),
         (lambda: periodic_orbit(driven(1.0), (0.0, 0.0), energy=1.0), "energy is not constant"),

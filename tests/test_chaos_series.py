@@ -135,18 +135,19 @@ def test_the_harmonics_of_a_libration(
     assert found.residual < 1e-12
 
 
-@pytest.mark.parametrize("span", [200.0, 500.0])
-def test_a_quasi_periodic_double_pendulum(span: float) -> None:
+@pytest.mark.parametrize(("span", "within"), [(200.0, 2e-12), (500.0, 5e-14)])
+def test_a_quasi_periodic_double_pendulum(span: float, within: float) -> None:
     """The two frequencies of a regular motion, from 40 digits over 4000 s."""
     wanted = np.array([6.0030251576208, 2.6980046543883])
     t = np.linspace(0.0, span, round(20 * span))
     states = solve(RODS, (0.4, -0.3, 0.2, 0.1), t).states
     for series in (states[:, 0], states[:, 1], states[:, 3]):
         found = frequencies(t, series, 2)
-        assert abs(found.frequencies / wanted - 1.0).max() < 2e-13
-        assert (found.uncertainties < 1e-9).all()
+        assert abs(found.frequencies / wanted - 1.0).max() < within
+        assert (abs(found.frequencies - wanted) < found.uncertainties + 1e-13).all()
+        assert (found.uncertainties < 1e-7).all()
     both = frequencies(t, states[:, 0] + 1j * states[:, 2], 4).frequencies
-    assert np.sort(both)[[0, -1]] == pytest.approx([-wanted[0], wanted[0]], rel=2e-13)
+    assert np.sort(both)[[0, -1]] == pytest.approx([-wanted[0], wanted[0]], rel=within)
 
 
 def test_lines_far_from_the_first_time() -> None:

@@ -1,5 +1,5 @@
 import numpy as np
-from pendula import DoublePendulum, chaos, plot
+from pendula import DoublePendulum, chaos, plot, solve
 
 rods = DoublePendulum.rods()
 wild, calm = (2.0, 2.5, 0.0, 0.0), (0.4, -0.3, 0.2, 0.1)

@@ -3,7 +3,5 @@ for points in crossings.points:
     test = chaos.zero_one(points[:, 0])
     print(f"K = {abs(test.value):.2f}, {test.verdict}")
 times = np.arange(0.0, 100.0, 0.05)
-from pendula import solve
-
 lines = chaos.frequencies(times, solve(rods, calm, times).states[:, 0], 2)
 print(np.sort(lines.frequencies).round(6))  # of the two normal modes, bent by their size

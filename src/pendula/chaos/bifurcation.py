@@ -43,7 +43,8 @@ class Bifurcation:
     """Where motions go in the end, over a parameter.
 
     Attributes:
-        system: the pendulum; its own value of the parameter is not used.
+        recipe = {"points": count, "energy": energy, "section": list(start)}
+        return _collected(system, parameter, taken, found, (), recipe)
         parameter: its name.
         values: of it, in the order they were taken, (n,).
         points: of the motion after the transient, (n, m, 2): (θ, ω) of one bob at each period of
@@ -74,7 +75,7 @@ class Bifurcation:
 
     def __repr__(self) -> str:
         return (
-            f"<Bifurcation over {self.values.size} values of {self.parameter}, "
+            f"<Bifurcation of {self.system!r} over {self.values.size} values of {self.parameter}, "
             f"{self.points.shape[1]} points each, {len(self.doublings)} period doublings>"
         )
 
@@ -146,17 +147,24 @@ def bifurcation(
     """
     check_system(system)
     report = checked_progress(progress)
-    taken = _checked_values(values)
+    double = isinstance(system, DoublePendulum)
+    one_of("parameter", parameter, (*(("energy",) if double else ()), *system.parameters))
+    units = {"energy": "J", **{row.name: row.unit for row in system._rows()}}
+    taken = _checked_values(values, units[parameter])
     count = _checked_points(points)
     left_out = 0 if transient == 0 else whole_number("transient", transient, _MOST_TRANSIENT)
     followed, located = flag("follow", follow), flag("changes", changes)
     recipe: dict[str, Any] = {"points": count, "transient": left_out, "follow": followed}
     if isinstance(system, DoublePendulum):
         start = number_pair("section", section, "must be (theta2, p2)", "")
-        one_of("parameter", parameter, ("energy", *system.parameters))
         found = on_section(system, parameter, taken, energy, start, count, report)
+<<<<<<< HEAD
         return _collected(system, parameter, taken, found, (), {**recipe, "energy": energy})
     one_of("parameter", parameter, system.parameters)
+=======
+        recipe = {"points": count, "energy": energy, "section": list(start)}
+        return _collected(system, parameter, taken, found, (), recipe)
+>>>>>>> orbits
     first = checked_state([0.0, 0.0] if state is None else state, system)
     systems = [
         type(system).of_form(system.form, {**system.parameters, parameter: value})
@@ -205,9 +213,9 @@ def _check_driven(system: System) -> None:
         )
 
 
-def _checked_values(values: ArrayLike) -> Array:
+def _checked_values(values: ArrayLike, unit: str) -> Array:
     """The values, (n,)."""
-    taken = finite_array("values", values)
+    taken = finite_array("values", values, unit)
     if taken.ndim != 1 or not 1 <= taken.size <= _MOST_VALUES:
         rule = f"must hold from 1 to {_MOST_VALUES} values, got shape {{value}}"
         raise ArgumentError("values", rule, value=taken.shape)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -130,7 +131,8 @@ class Branch:
         state = one.state + share * (other.state - one.state)
         found = self.orbit(value, state, one.period + share * (other.period - one.period))
         dof = state.size // 2
-        off = abs(found.state - state) / np.repeat([1.0, 6.28 / found.period], dof)
+        off = abs(found.state - state) / np.repeat([1.0, math.tau / found.period], dof)
         if off.max() > _BEND:
-            raise OrbitError("state", "must be on the branch, which {text} is not", text="this")
+            rule = "must be near the branch: Newton's method leads {value} rad away from it"
+            raise OrbitError("state", rule, value=float(off.max()))
         return found

@@ -20,7 +20,7 @@ _MORE_LINES = 16  # than are asked for are fitted
 _FAINTEST = 1e-14  # of the series' size: fainter lines are rounding
 _FITS = 12  # steps of least squares, at most
 _SETTLED = 1e-15  # bins times amplitude, of the strongest line's: a smaller change is rounding
-_BESIDE = 8  # bins on either side of a line: how much of the rest the window lets through there
+_BESIDE = 6  # bins on either side of a line: how much of the rest the window lets through there
 
 
 class Lines(NamedTuple):

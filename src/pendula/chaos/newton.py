@@ -19,6 +19,7 @@ _MOST_ITERATIONS = 40
 _LARGEST_STEP = 0.3  # rad, or that part of the frequency in velocities
 _CLOSE = 1e-9  # a correction below is of rounding if it does not fall any more
 _ROUNDING = 4e-16
+_OPEN = 1e-6  # of the conditions: no step changes them, as motions part too fast to come back
 _CLOSED = 2e-14  # of the conditions: they hold, and where a family branches no step is better
 
 
@@ -84,11 +85,15 @@ def closed_orbit(
         size = float(abs(step).max())
         if not math.isfinite(size) or size > 1e6:
             break
-        if size >= 0.5 * last and last < 1e-4 and abs(value).max() < _CLOSED:
+        missed = abs(value).max()
+        if size >= 0.5 * last and last < 1e-4 and missed < _CLOSED:
             return Closed(x, t, size, iteration, total)
         change = step * scales * min(1.0, _LARGEST_STEP / size if size else 1.0)
         x, t = x + change[:-1], t + change[-1]
-        if size <= _ROUNDING * max(1.0, abs(x).max()) or (size < _CLOSE and size >= 0.5 * last):
+        settled = size <= _ROUNDING * max(1.0, abs(x).max()) or (_CLOSE > size >= 0.5 * last)
+        if settled and missed > _OPEN:
+            break
+        if settled:
             return Closed(x, t, size, iteration, total)
         if t <= 0.0:
             break

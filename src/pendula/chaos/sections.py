@@ -124,14 +124,14 @@ def section(
 
     Args:
         system: a pendulum. A driven one is looked at once in each period of its drive, at
-            t = T, 2T, …; another where its motion crosses a surface.
+            t = T, 2T, …, unless there is an event; another where its motion crosses a surface.
         states: starts, (n, d) or (d,) [rad, rad/s].
         energy: in place of states, for a double pendulum: starts of that energy on the surface
             θ1 = 0, ω1 > 0, evenly over the whole of it [J].
         starts: how many, with `energy`.
         crossings: of each motion.
-        event: the surface, such as angle(2, 0.0, direction=1, every_turn=True); None: θ1 = 0,
-            ω1 > 0, whole turns away too.
+        event: the surface, such as angle(2, 0.0, direction=1, every_turn=True); None: the drive's
+            period, or θ1 = 0, ω1 > 0, whole turns away too.
         threads: None: one for each processor; the bits do not depend on it.
         progress: called with the part of the motions that is done, 0 to 1; True: a bar.
         **options: see `RunOptions`.
@@ -149,7 +149,7 @@ def section(
     threaded = check_threads(threads) or processors()
     chosen = checked_types({"max_steps": _MOST_STEPS, **options}, "section", _OPTIONS)
     recipe = {"energy": energy, "starts": len(given), "crossings": count}
-    if is_driven(system):
+    if event is None and is_driven(system):
         period = drive_period(system)
         found = strobes_of_many(system, given, period, count, chosen, threaded, report)
         recipe["period"] = period
