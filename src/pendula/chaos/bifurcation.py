@@ -43,8 +43,7 @@ class Bifurcation:
     """Where motions go in the end, over a parameter.
 
     Attributes:
-        recipe = {"points": count, "energy": energy, "section": list(start)}
-        return _collected(system, parameter, taken, found, (), recipe)
+        system: the pendulum, with a value of the parameter that was not used.
         parameter: its name.
         values: of it, in the order they were taken, (n,).
         points: of the motion after the transient, (n, m, 2): (θ, ω) of one bob at each period of
@@ -158,13 +157,8 @@ def bifurcation(
     if isinstance(system, DoublePendulum):
         start = number_pair("section", section, "must be (theta2, p2)", "")
         found = on_section(system, parameter, taken, energy, start, count, report)
-<<<<<<< HEAD
-        return _collected(system, parameter, taken, found, (), {**recipe, "energy": energy})
-    one_of("parameter", parameter, system.parameters)
-=======
         recipe = {"points": count, "energy": energy, "section": list(start)}
         return _collected(system, parameter, taken, found, (), recipe)
->>>>>>> orbits
     first = checked_state([0.0, 0.0] if state is None else state, system)
     systems = [
         type(system).of_form(system.form, {**system.parameters, parameter: value})
