@@ -160,7 +160,9 @@ def test_every_column_says_its_unit_and_counts_well(study: tuple[Path, str]) -> 
     words = {"system", "method", "outcome"}
     for path in sorted((study[0] / "data").glob("*.csv")):
         for column in _table(study[0], path.stem):
-            assert column in words or re.search(r" \[(1|s|rad|rad/s|J)\]$", column), path.name
+            assert column in words or re.search(r" \[(1|s|1/s|rad|rad/s|J|J s)\]$", column), (
+                path.name
+            )
             assert not re.search(r"\b1 \w+s\b", column)
     for name, count in (("convergence", 9), ("simple_work", 1), ("double_work", 1)):
         assert sum("error at the outputs" in each for each in _table(study[0], name)) == count

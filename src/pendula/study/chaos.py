@@ -97,7 +97,7 @@ def chaos_tables(found: Chaos) -> dict[str, Columns]:
         n, m = found.section.times.shape
         points = found.section.points.reshape(-1, 2)
         tables["double_section"] = {
-            "motion": np.repeat(np.arange(1, n + 1), m).tolist(),
+            "motion [1]": np.repeat(np.arange(1, n + 1), m).tolist(),
             "theta2 [rad]": points[:, 0].tolist(),
             "p2 [J s]": points[:, 1].tolist(),
             "mean MEGNO of the motion [1]": np.repeat(found.indicator, m).tolist(),
