@@ -199,7 +199,7 @@ def test_a_store_of_something_else_is_no_map(call: Call) -> None:
     code, printed, told = call("show waves.zarr --picture m.png")
     assert (code, printed) == (2, "")
     assert told.startswith("pendula: waves.zarr was not written by pendula")
-    with pytest.raises(ValueError, match="dataset must hold flip_time or growth, got"):
+    with pytest.raises(ValueError, match="dataset must hold flip_time, growth, .* or sali, got"):
         plot.stored_map(chunks.opened("waves.zarr"))
 
 

@@ -80,7 +80,7 @@ def test_everything_is_written_and_nothing_else(study: tuple[Path, str]) -> None
     assert {p.name for p in folder.iterdir()} == {
         "report.html", "report.pdf", "figures", "data", "recipe.toml",
     }  # fmt: skip
-    assert len(_files(folder, "figures/*.svg")) == len(list((folder / "figures").iterdir())) == 14
+    assert len(_files(folder, "figures/*.svg")) == len(list((folder / "figures").iterdir())) == 15
     assert (folder / "report.pdf").read_bytes().startswith(b"%PDF-")
     assert {p.name for p in folder.parent.iterdir()} == {"quick.toml", "en", "es"}  # no scratch
 
@@ -93,7 +93,7 @@ def test_the_page_needs_nothing_else(study: tuple[Path, str]) -> None:
     source = (study[0] / "report.html").read_text(encoding="utf-8")
     assert "@import" not in source
     assert "url(" not in source
-    assert found.tags.count("img") == 14
+    assert found.tags.count("img") == 15
 
 
 def test_formulas_and_figures_are_numbered_in_the_language(study: tuple[Path, str]) -> None:
@@ -102,7 +102,7 @@ def test_formulas_and_figures_are_numbered_in_the_language(study: tuple[Path, st
     for number in range(1, 20):
         assert f"({number})" in text
     figure, table = {"en": ("Figure", "Table"), "es": ("Figura", "Tabla")}[language]
-    for number in range(1, 15):
+    for number in range(1, 16):
         assert f"{figure} {number}" in text or f"{figure}\N{NO-BREAK SPACE}{number}" in text
     for number in range(1, 11):
         assert f"{table} {number}" in text or f"{table}\N{NO-BREAK SPACE}{number}" in text
@@ -160,7 +160,9 @@ def test_every_column_says_its_unit_and_counts_well(study: tuple[Path, str]) -> 
     words = {"system", "method", "outcome"}
     for path in sorted((study[0] / "data").glob("*.csv")):
         for column in _table(study[0], path.stem):
-            assert column in words or re.search(r" \[(1|s|rad|rad/s|J)\]$", column), path.name
+            assert column in words or re.search(r" \[(1|s|1/s|rad|rad/s|J|J s)\]$", column), (
+                path.name
+            )
             assert not re.search(r"\b1 \w+s\b", column)
     for name, count in (("convergence", 9), ("simple_work", 1), ("double_work", 1)):
         assert sum("error at the outputs" in each for each in _table(study[0], name)) == count
@@ -260,7 +262,7 @@ def test_the_written_recipe_gives_the_same_again(studies: Studies, tmp_path: Pat
 
 def test_the_language_changes_no_number(studies: Studies) -> None:
     english, spanish = (_files(studies[0] / language, "data/*.csv") for language in LANGUAGES)
-    assert len(english) == 14
+    assert len(english) == 16
     assert english == spanish
 
 

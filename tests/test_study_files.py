@@ -203,7 +203,7 @@ def test_figures_are_also_written_for_other_programs(quick: Path, kinds: tuple[s
     starts = {"svg": b"<?xml", "pdf": b"%PDF-", "png": b"\x89PNG"}
     out = run_study(quick, quick.parent / "out", "en", figures=kinds)
     names = {path.stem for path in (out / "figures").glob("*.svg")}
-    assert len(names) == 14
+    assert len(names) == 15
     written = {path.name for path in (out / "figures").iterdir()}
     assert written == {f"{name}.{kind}" for name in names for kind in ("svg", *kinds)}
     for path in (out / "figures").iterdir():

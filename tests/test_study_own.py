@@ -57,7 +57,7 @@ def test_title_author_and_sections_are_ones_own(tmp_path: Path, language: str) -
     assert f'<meta name="author" content="{AUTHOR}">' in source
     assert sections(folder, language) == ["linear", "double"]
     assert found.classes.count("player") == 2
-    assert found.tags.count("img") == 8
+    assert found.tags.count("img") == 9
     assert re.findall(r'"(\w+)":{"lengths"', source) == ["gentle", "double"]
     document = (folder / "report.pdf").read_bytes()
     for words in (TITLE.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;"), AUTHOR):

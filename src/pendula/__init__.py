@@ -34,6 +34,7 @@ _HOMES = {
 }
 _MODULES = (
     "analysis",
+    "chaos",
     "chunks",
     "elliptic",
     "events",
@@ -58,6 +59,9 @@ promise("Measurement", "pendula.plot.recorded", "plot")
 promise("Fit", "pendula.study.measured.report", "report")
 promise("Comparison", "pendula.study.measured.report", "report")
 promise("PeriodFit", "pendula.study.measured.report", "report")
+_DRAWN = ("Alignment", "Bifurcation", "Family", "Lyapunov", "Megno", "PeriodicOrbit", "Section")
+for _owner in _DRAWN:
+    promise(_owner, "pendula.plot", "plot")
 
 if TYPE_CHECKING:
     from pendula import elliptic, events

@@ -12,6 +12,7 @@ UNFINISHED = "unfinished"  # of a store whose chunks are not all there
 _KINDS = {  # of files, by keys of their description
     "recording or fit": {"measured"},
     "sweep": {"sweep"},
+    "chaos": {"chaos"},
     "map": {"map"},
     "ensemble": {"ensemble"},
     "comparison": {"reference", "outputs"},

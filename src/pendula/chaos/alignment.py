@@ -7,14 +7,17 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from pendula._checks import checked_progress, whole_number
+from pendula._late_methods import with_promised
 from pendula._messages import ArgumentError
 from pendula._progress import with_bar
+from pendula.chaos.datasets import dataset_of
 from pendula.chaos.variations import OPTIONS, Asked, VariedRuns, asked_of, first_variations
 from pendula.run.options import takes_options
 
 if TYPE_CHECKING:
     from typing import Unpack
 
+    import xarray as xr
     from numpy.typing import ArrayLike
 
     from pendula._progress import AskedProgress
@@ -25,6 +28,7 @@ if TYPE_CHECKING:
 ALIGNED = 1e-8  # below, directions are one: chaos, where they turn exponentially fast
 
 
+@with_promised
 @dataclass(frozen=True, eq=False)
 class Alignment:
     """SALI or GALI of one motion, or of n motions (then with a first axis n).
@@ -50,6 +54,21 @@ class Alignment:
     n_steps: Any
     outcome: Any
     reached: Any
+
+    def to_xarray(self) -> xr.Dataset:
+        """The indicator over time (extra: io)."""
+        told: dict[str, Any] = {
+            "value": (("t",), self.value, "1", f"alignment of {self.count} directions"),
+            "aligned": ((), self.aligned, "s", f"first time below {ALIGNED:g}"),
+            "n_steps": ((), self.n_steps, "1", "steps of the run"),
+            "outcome": ((), self.outcome, "", "how the run ended"),
+        }
+        return dataset_of("Alignment", self.system, self.start, self.t, told)
+
+    if TYPE_CHECKING:  # attached by the module that defines it
+
+        def plot(self, *, ax: Any = None, language: str = "en") -> Any:
+            """See `pendula.plot.running`."""
 
     def __repr__(self) -> str:
         end = f"{self.value[-1]:.3g}" if self.value.ndim == 1 else f"{len(self.value)} motions"

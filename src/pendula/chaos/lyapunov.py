@@ -6,9 +6,11 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from pendula._checks import checked_progress, number, positive_number, whole_number
+from pendula._late_methods import with_promised
 from pendula._messages import ArgumentError
 from pendula._progress import part, with_bar
 from pendula._tables import html_table
+from pendula.chaos.datasets import dataset_of
 from pendula.chaos.variations import OPTIONS, Asked, asked_of, first_variations
 from pendula.chaos.verdict import standard_error_of_mean, verdict_of
 from pendula.run.options import takes_options
@@ -17,16 +19,19 @@ from pendula.run.solve import solve
 if TYPE_CHECKING:
     from typing import Unpack
 
+    import xarray as xr
     from numpy.typing import ArrayLike
 
     from pendula._progress import AskedProgress, Progress
     from pendula._types import Array
+    from pendula.chaos.variations import VariedRuns
     from pendula.run.options import RunOptions
     from pendula.systems import System
 
 _PARTS = 400  # of a run, whose growths the error comes from
 
 
+@with_promised
 @dataclass(frozen=True, eq=False)
 class Lyapunov:
     """Lyapunov exponents of one motion, or of n motions (then with a first axis n).
@@ -97,6 +102,25 @@ class Lyapunov:
         second = (self.exponents[..., 0] * whole - first * until) / (whole - until)
         return np.abs(second - self.exponents[..., 0]) <= 2.0 * self.standard_error[..., 0]
 
+    def to_xarray(self) -> xr.Dataset:
+        """Exponents, their errors and the running estimates (extra: io)."""
+        rate = "1/s"
+        told: dict[str, Any] = {
+            "exponent": (("order",), self.exponents, rate, "Lyapunov exponent"),
+            "standard_error": (("order",), self.standard_error, rate, "of the exponent"),
+            "running": (("t", "order"), self.running, rate, "estimate up to each time"),
+            "verdict": ((), self.verdict, "", "by the mean MEGNO"),
+            "mean_megno": ((), self.mean_megno, "1", "mean MEGNO of the whole run"),
+            "n_steps": ((), self.n_steps, "1", "steps of the run"),
+            "outcome": ((), self.outcome, "", "how the run ended"),
+        }
+        return dataset_of("Lyapunov", self.system, self.start, self.t, told)
+
+    if TYPE_CHECKING:  # attached by the module that defines it
+
+        def plot(self, *, ax: Any = None, language: str = "en") -> Any:
+            """See `pendula.plot.running`."""
+
     def _check_all(self) -> None:
         have, all_of_them = self.exponents.shape[-1], len(self.system.components)
         if have != all_of_them:
@@ -158,10 +182,7 @@ def lyapunov(
     import numpy as np
 
     report = checked_progress(progress)
-    length = positive_number("t_max", t_max, "s")
-    before = number("transient", transient, "s")
-    if before < 0.0:
-        raise ArgumentError("transient", "must be 0 or more [s], got {value}", value=before)
+    length, before = positive_number("t_max", t_max, "s"), _checked_transient(transient)
     parts = before + length * np.arange(1, _PARTS + 1) / _PARTS
     times = parts if before == 0.0 else np.concatenate([[before], parts])
     certify = options.pop("certify", None)
@@ -171,35 +192,61 @@ def lyapunov(
     growth, mean_megno, found = _growth(asked, count, tangent, threads, runs)
     if before > 0.0:
         growth = growth[:, 1:] - growth[:, :1]
-    elapsed = parts - before
-    running = growth / elapsed[:, np.newaxis]
-    steps = np.diff(growth, axis=1, prepend=0.0) / (length / _PARTS)
-    errors = [[standard_error_of_mean(row[:, i]) for i in range(count)] for row in steps]
-    horizon, finite = None, None
+    running = growth / (parts - before)[:, np.newaxis]
+    horizon = None
     if certify is not None:
         horizon = _horizons(asked, certify, part(report, 0.1, 1.0))
-        finite = _until(t0 + parts, running, horizon)
+    errors = _errors(growth, length)
+    return _collected(asked, t0 + parts, running, errors, mean_megno, before, horizon, found)
+
+
+def _collected(
+    asked: Asked,
+    t: Array,
+    running: Array,
+    errors: Array,
+    mean_megno: Array,
+    before: float,
+    horizon: Array | None,
+    found: VariedRuns,
+) -> Lyapunov:
+    """The result, for one motion or several as they were asked for."""
     shaped = asked.shaped
     return Lyapunov(
         asked.system,
         shaped(asked.starts),
-        t0 + parts,
+        t,
         shaped(running[:, -1]),
-        shaped(np.array(errors)),
+        shaped(errors),
         shaped(running),
         shaped(verdict_of(mean_megno)),
         shaped(mean_megno),
         before,
         None if horizon is None else shaped(horizon),
-        None if finite is None else shaped(finite),
+        None if horizon is None else shaped(_until(t, running, horizon)),
         shaped(found.n_steps),
         shaped(found.outcomes),
     )
 
 
+def _checked_transient(transient: object) -> float:
+    before = number("transient", transient, "s")
+    if before < 0.0:
+        raise ArgumentError("transient", "must be 0 or more [s], got {value}", value=before)
+    return before
+
+
+def _errors(growth: Array, length: float) -> Array:
+    """Standard errors (n, k) of growths (n, m, k) at even times over a length [1/s]."""
+    import numpy as np
+
+    rates = np.diff(growth, axis=1, prepend=0.0) / (length / growth.shape[1])
+    return np.array([[standard_error_of_mean(each) for each in row.T] for row in rates])
+
+
 def _growth(
     asked: Asked, count: int, tangent: ArrayLike | None, threads: object, progress: Progress
-) -> tuple[Array, Array, Any]:
+) -> tuple[Array, Array, VariedRuns]:
     """Ln of the growths at the outputs, (n, m, count), and the mean MEGNO of each run."""
     import numpy as np
 

@@ -6,7 +6,9 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from pendula._checks import checked_progress
+from pendula._late_methods import with_promised
 from pendula._progress import with_bar
+from pendula.chaos.datasets import dataset_of
 from pendula.chaos.variations import OPTIONS, asked_of, first_variations
 from pendula.chaos.verdict import verdict_of
 from pendula.run.options import takes_options
@@ -14,6 +16,7 @@ from pendula.run.options import takes_options
 if TYPE_CHECKING:
     from typing import Unpack
 
+    import xarray as xr
     from numpy.typing import ArrayLike
 
     from pendula._progress import AskedProgress
@@ -22,6 +25,7 @@ if TYPE_CHECKING:
     from pendula.systems import System
 
 
+@with_promised
 @dataclass(frozen=True, eq=False)
 class Megno:
     """MEGNO of one motion, or of n motions (then with a first axis n).
@@ -59,6 +63,23 @@ class Megno:
     def verdict(self) -> Any:
         """By the last mean: "chaotic", "regular" or "undecided"."""
         return verdict_of(self.mean[..., -1])
+
+    def to_xarray(self) -> xr.Dataset:
+        """MEGNO, its mean and the growth over time (extra: io)."""
+        told: dict[str, Any] = {
+            "megno": (("t",), self.megno, "1", "MEGNO"),
+            "mean": (("t",), self.mean, "1", "mean MEGNO"),
+            "growth": (("t",), self.growth, "1", "ln of the growth of a variation"),
+            "verdict": ((), self.verdict, "", "by the last mean"),
+            "n_steps": ((), self.n_steps, "1", "steps of the run"),
+            "outcome": ((), self.outcome, "", "how the run ended"),
+        }
+        return dataset_of("Megno", self.system, self.start, self.t, told)
+
+    if TYPE_CHECKING:  # attached by the module that defines it
+
+        def plot(self, *, ax: Any = None, language: str = "en") -> Any:
+            """See `pendula.plot.running`."""
 
     def __repr__(self) -> str:
         end = f"⟨Y⟩ = {self.mean[-1]:.4g}" if self.mean.ndim == 1 else f"{len(self.mean)} motions"

@@ -16,6 +16,7 @@ from pendula._checks import MissingExtraError
 from pendula._version import __version__
 from pendula.cli import (
     animate,
+    chaos,
     compare,
     exact,
     fit,
@@ -59,7 +60,8 @@ def _pendula() -> None:
     """A laboratory for the simple and the double pendulum."""
 
 
-for module in (solve, exact, period, methods, compare, map, sweep, animate, show, fit, study):
+_MODULES = solve, exact, period, methods, compare, chaos, map, sweep, animate, show, fit, study
+for module in _MODULES:
     _pendula.add_command(module.command)
 
 

@@ -1,4 +1,4 @@
-"""`pendula map`: flip times, or the divergence of neighbours, over the two angles at the start."""
+"""`pendula map`: one number for each release, or for each point of an energy's Poincaré section."""
 
 from __future__ import annotations
 
@@ -14,6 +14,7 @@ from pendula.cli.groups import ChoiceGroup, one_each
 from pendula.cli.map_output import check_targets, summary, write
 from pendula.cli.map_picture import look_options
 from pendula.cli.options import (
+    range_of,
     run_options,
     run_options_of,
     system_of,
@@ -34,6 +35,12 @@ if TYPE_CHECKING:
 
 _TURN, _SIZE = "-180deg:180deg", "500x500"
 _ANGLES = ("theta1", "theta2")
+_SECTION = {"theta2": ("rad", _TURN), "p2": ("J s", "-1:1")}  # unit and example of each axis
+_INDICATORS = {
+    "megno": "MEGNO, the mean exponential growth of nearby orbits",
+    "lyapunov": "the finite-time Lyapunov exponent",
+    "sali": "SALI, the smaller alignment index",
+}
 _WITHOUT = (
     "a map is made over the angles of two rods, which the {system} pendulum does not have; "
     "use pendula map flip double, or pendula sweep for many starts of the {system} pendulum"
@@ -51,17 +58,17 @@ def _options(entry: SystemEntry) -> list[click.Parameter]:
         )
         for i, name in enumerate(_ANGLES, 1)
     ]
-    return [
-        *system_options(entry),
-        *ranges,
-        click.Option(
-            ["--size"],
-            metavar="N1xN2",
-            default=_SIZE,
-            show_default=True,
-            help="cells along each angle; one number for a square grid",
-        ),
-    ]
+    return [*system_options(entry), *ranges, _size_option("along each angle")]
+
+
+def _size_option(along: str) -> click.Option:
+    return click.Option(
+        ["--size"],
+        metavar="N1xN2",
+        default=_SIZE,
+        show_default=True,
+        help=f"cells {along}; one number for a square grid",
+    )
 
 
 def _flip_options(entry: SystemEntry) -> list[click.Parameter]:
@@ -91,6 +98,36 @@ def _divergence_options(entry: SystemEntry) -> list[click.Parameter]:
     ]
 
 
+def _indicator_options(entry: SystemEntry) -> list[click.Parameter]:
+    return [
+        *_options(entry),
+        value("t_max", "length of the runs", required=True),
+        *run_options("tolerance"),
+        *_output_options(),
+    ]
+
+
+def _section_options(entry: SystemEntry) -> list[click.Parameter]:
+    whole = "[default: all that the energy allows]"
+    return [
+        *system_options(entry),
+        value("energy", "energy of all starts, e.g. 10J", required=True),
+        click.Option(
+            ["--indicator"],
+            type=click.Choice(list(_INDICATORS)),
+            default="megno",
+            show_default=True,
+            help="what is mapped",
+        ),
+        click.Option(["--theta2"], metavar="LO:HI", help=f"range of the angle of rod 2 {whole}"),
+        click.Option(["--p2"], metavar="LO:HI", help=f"range of its momentum, J s {whole}"),
+        _size_option("along the angle and the momentum"),
+        value("t_max", "length of the runs", required=True),
+        *run_options("tolerance"),
+        *_output_options(),
+    ]
+
+
 def _output_options() -> list[click.Parameter]:
     file = "a resumable .zarr store or a .nc file"
     return [*file_and_picture(file, "the map"), *look_options(), *store_options()]
@@ -106,9 +143,15 @@ def _compute(kind: str, entry: SystemEntry, given: dict[str, Any]) -> None:
     from pendula.many import maps
 
     out, picture = check_targets(given)
-    asked = {**_asked(entry, given), **_OWN[kind](given)}
-    kinds: dict[str, Any] = {"flip": maps.FlipMap, "divergence": maps.DivergenceMap}
-    kinds[kind].checked(**asked)  # refused before a cluster is waited for
+    asked = _section_asked(entry, given) if kind == "section" else _asked(kind, entry, given)
+    name = "indicator" if kind in _INDICATORS else kind
+    kinds: dict[str, Any] = {
+        "flip": maps.FlipMap,
+        "divergence": maps.DivergenceMap,
+        "indicator": maps.IndicatorMap,
+        "section": maps.SectionMap,
+    }
+    kinds[name].checked(**asked)  # refused before a cluster is waited for
     cells = asked["shape"][0] * asked["shape"][1]
     store = out if out is not None and Path(out).suffix == ".zarr" else None
     with (
@@ -116,7 +159,7 @@ def _compute(kind: str, entry: SystemEntry, given: dict[str, Any]) -> None:
         _enough_memory(),
         work_bar(f"{kind} map", cells, "cells") as progress,
     ):
-        found = getattr(maps, f"{kind}_map")(
+        found = getattr(maps, f"{name}_map")(
             **asked,
             store=store,
             client=client,
@@ -126,17 +169,38 @@ def _compute(kind: str, entry: SystemEntry, given: dict[str, Any]) -> None:
             overwrite=given["force"],
         )
         write(found, None if store else out, picture, given)
-        cells_found = summary(kind, found)
+        cells_found = summary(found)
     click.echo(paragraph(f"{out}: {cells_found}" if out else cells_found))
     if picture:
         click.echo(picture)
 
 
-def _asked(entry: SystemEntry, given: dict[str, Any]) -> dict[str, Any]:
-    """The arguments that both maps take."""
+def _asked(kind: str, entry: SystemEntry, given: dict[str, Any]) -> dict[str, Any]:
+    """The arguments of a map over two angles."""
+    return {
+        **_shared(entry, given),
+        **{name: range_of(given[name], name, "rad", _TURN) for name in _ANGLES},
+        **({"indicator": kind} if kind in _INDICATORS else _OWN[kind](given)),
+    }
+
+
+def _section_asked(entry: SystemEntry, given: dict[str, Any]) -> dict[str, Any]:
+    """The arguments of a map over a section."""
+    from pendula.units import quantity
+
+    ranges = {
+        name: range_of(given[name], name, unit, example)
+        for name, (unit, example) in _SECTION.items()
+        if given[name] is not None
+    }
+    energy = quantity(given["energy"], "J", "energy")
+    return {**_shared(entry, given), **ranges, "energy": energy, "indicator": given["indicator"]}
+
+
+def _shared(entry: SystemEntry, given: dict[str, Any]) -> dict[str, Any]:
+    """The arguments that all maps take."""
     return {
         "system": system_of(entry, given),
-        **{name: _range(given[name], name) for name in _ANGLES},
         "shape": _size(given["size"]),
         "t_max": seconds(given, "t_max"),
         **run_options_of(given),
@@ -156,22 +220,6 @@ def _of_divergence(given: dict[str, Any]) -> dict[str, Any]:
 
 
 _OWN = {"flip": _of_flips, "divergence": _of_divergence}
-
-
-def _range(text: str, name: str) -> tuple[float, float]:
-    """A range such as -180deg:180deg [rad].
-
-    Raises:
-        ValueError: for anything else, or an end without a unit.
-    """
-    from pendula._messages import ArgumentError
-    from pendula.units import quantity
-
-    ends = text.split(":")
-    if len(ends) != 2:
-        raise ArgumentError(name, f"must be a range such as {_TURN}, got {{value}}", value=text)
-    low, high = (quantity(end, "rad", name) for end in ends)
-    return low, high
 
 
 def _size(text: str) -> tuple[int, int]:
@@ -199,13 +247,22 @@ def _enough_memory() -> Iterator[None]:
 def _command() -> ChoiceGroup:
     """A group with a subcommand for each kind of map, and in it one for the double pendulum."""
     group = ChoiceGroup(
-        "map", kind="map", help="Map releases from rest over the two initial angles."
+        "map",
+        kind="map",
+        help="Map releases from rest over the two initial angles, or the section of an energy.",
     )
     helps = {
         "flip": "Map the time until a rod first flips.",
         "divergence": "Map how far neighbouring motions have separated after a given time.",
+        **{name: f"Map {meaning}." for name, meaning in _INDICATORS.items()},
+        "section": "Map an indicator of chaos over an energy's Poincaré section.",
     }
-    options = {"flip": _flip_options, "divergence": _divergence_options}
+    options: dict[str, Any] = {
+        "flip": _flip_options,
+        "divergence": _divergence_options,
+        **dict.fromkeys(_INDICATORS, _indicator_options),
+        "section": _section_options,
+    }
     for kind, help in helps.items():
         systems = systems_that(lambda can: can.mapped)
         call = partial(_map, kind)

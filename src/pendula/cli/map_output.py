@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -12,7 +13,7 @@ from pendula.cli.map_picture import checked_map_picture, draw_map
 from pendula.cli.pictures import ENDINGS
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Callable, Iterator
 
     import xarray as xr
 
@@ -54,17 +55,19 @@ def write(found: xr.Dataset, out: str | None, picture: Path | None, given: dict[
             found.to_netcdf(unfinished, engine="h5netcdf")
 
 
-def summary(kind: str, found: xr.Dataset) -> str:
+def summary(found: xr.Dataset) -> str:
     """A summary of all cells, read in bands: a store may be larger than memory."""
-    numbers = {"flip": _of_flips, "divergence": _of_divergence}[kind](found)
-    return f"{' x '.join(str(found.sizes[name]) for name in ('theta1', 'theta2'))} cells; {numbers}"
+    variable = next(name for name in _NUMBERS if name in found)
+    sizes = " x ".join(str(found.sizes[name]) for name in found[variable].dims)
+    return f"{sizes} cells; {_NUMBERS[variable](found)}"
 
 
 def _bands(found: xr.Dataset) -> Iterator[xr.Dataset]:
     first = next(iter(found.data_vars.values()))
-    step = first.encoding.get("preferred_chunks", {}).get("theta1", _BAND)
-    for start in range(0, found.sizes["theta1"], step):
-        yield found.isel(theta1=slice(start, start + step)).load()
+    axis = str(first.dims[0])
+    step = first.encoding.get("preferred_chunks", {}).get(axis, _BAND)
+    for start in range(0, found.sizes[axis], step):
+        yield found.isel({axis: slice(start, start + step)}).load()
 
 
 def _of_flips(found: xr.Dataset) -> str:
@@ -101,3 +104,39 @@ def _of_divergence(found: xr.Dataset) -> str:
     unknown = found["growth"].size - count
     rates = f"mean rate of divergence {low:.3g} to {high:.3g} 1/s, {total / count:.3g} on average"
     return rates + (f"; {unknown} unknown" if unknown else "")
+
+
+def _of_indicator(name: str, found: xr.Dataset) -> str:
+    """The range and mean of an indicator, and of MEGNO the verdicts; where nothing could start."""
+    import numpy as np
+
+    from pendula.chaos.verdict import verdict_of
+
+    low, high, total, count, forbidden = math.inf, -math.inf, 0.0, 0, 0
+    told = dict.fromkeys(_VERDICTS, 0)
+    for band in _bands(found):
+        known = band[name].values[np.isfinite(band[name].values)]
+        forbidden += int(band["forbidden"].sum()) if "forbidden" in band else 0
+        if known.size:
+            low, high = min(low, float(known.min())), max(high, float(known.max()))
+            total, count = total + float(known.sum()), count + known.size
+            verdicts = verdict_of(known)
+            told = {each: n + int((verdicts == each).sum()) for each, n in told.items()}
+    unit, cells = " 1/s" if name == "lyapunov" else "", found[name].size
+    if count == 0:
+        why = "the energy reaches no" if forbidden == cells else f"{name} is unknown in every"
+        return f"{why} cell"
+    parts = [f"{name} {low:.3g} to {high:.3g}{unit}, {total / count:.3g} on average"]
+    if name == "megno":
+        parts.append(", ".join(f"{n / count:.1%} {each}" for each, n in told.items()))
+    parts += [f"{forbidden / cells:.1%} of the cells beyond the energy"] if forbidden else []
+    unknown = cells - count - forbidden
+    return "; ".join([*parts, *([f"{unknown} unknown"] if unknown else [])])
+
+
+_VERDICTS = ("chaotic", "regular", "undecided")
+_NUMBERS: dict[str, Callable[[xr.Dataset], str]] = {
+    "flip_time": _of_flips,
+    "growth": _of_divergence,
+    **{name: partial(_of_indicator, name) for name in ("megno", "lyapunov", "sali")},
+}

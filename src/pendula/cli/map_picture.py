@@ -24,7 +24,9 @@ def look_options() -> list[click.Parameter]:
             help="colors of a map, as matplotlib names them [default: inferno]",
         ),
         click.Option(
-            ["--title"], metavar="TEXT", help="title of the picture of a map [default: none]"
+            ["--title"],
+            metavar="TEXT",
+            help="title of the picture of a map [default: none; of an indicator the case]",
         ),
         click.Option(
             ["--ticks"],

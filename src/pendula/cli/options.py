@@ -51,6 +51,22 @@ def run_options_of(given: Given) -> Given:
     }
 
 
+def range_of(text: str, name: str, unit: str, example: str) -> tuple[float, float]:
+    """The ends of a range such as -180deg:180deg, in that unit.
+
+    Raises:
+        ValueError: for anything else, or an angle without a unit.
+    """
+    from pendula._messages import ArgumentError
+    from pendula.units import quantity
+
+    ends = text.split(":")
+    if len(ends) != 2:
+        raise ArgumentError(name, f"must be a range such as {example}, got {{value}}", value=text)
+    low, high = (quantity(end, unit, name) for end in ends)
+    return low, high
+
+
 def system_options(entry: SystemEntry) -> list[click.Parameter]:
     """The form, where there are several, and the parameters of all forms."""
     flags = [

@@ -23,6 +23,8 @@ if TYPE_CHECKING:
     from pendula.run.trajectory import Trajectory
 
 _NARROW = 60  # characters of a map
+_DARK = {"flip_time": "early", "growth": "slow", "sali": "chaos"}  # what is dark in one
+_DARK |= dict.fromkeys(("megno", "lyapunov"), "order")
 
 Drawing = Callable[[str], "Figure"] | None  # in a language; None: there is no picture
 
@@ -85,14 +87,15 @@ def _map(found: Held, given: dict[str, Any]) -> Drawing:
 
     known, data = found.known, _dataset(found)
     _say(f"{known['map']} map of {system_from(known['system'])!r}")
-    for name in ("theta1", "theta2"):
+    for name in _dims(data):
         centres = data[name].values
-        ends = f"{centres[0]:.6g} to {centres[-1]:.6g} rad"
+        ends = f"{centres[0]:.6g} to {centres[-1]:.6g} {data[name].attrs['units']}"
         click.echo(f"{name}: {centres.size} cells, centres {ends}")
-    click.echo(f"t_max = {known['t_max']:g} s, tolerance {known['tolerance']:.3g}")
+    energy = f"energy {known['energy']:g} J, " if "energy" in known else ""
+    click.echo(f"{energy}t_max = {known['t_max']:g} s, tolerance {known['tolerance']:.3g}")
     _unfinished(data)
     _shades(data)
-    _say(summary(known["map"], data))
+    _say(summary(data))
     return lambda language: plot.stored_map(data, language=language, **look_of(given))
 
 
@@ -105,13 +108,18 @@ def _shades(data: xr.Dataset) -> None:
 
     if not can_print("█▓▒░"):
         return
-    name = "flip_time" if "flip_time" in data else "growth"
-    counts = [data.sizes["theta1"], data.sizes["theta2"]]
+    name = next(each for each in _DARK if each in data)
+    first, second = _dims(data)
+    counts = [data.sizes[first], data.sizes[second]]
     few = [np.unique(np.linspace(0, n - 1, min(n, _NARROW)).round().astype(int)) for n in counts]
-    picked = data[name].isel(theta1=few[0]).isel(theta2=few[1]).transpose("theta1", "theta2")
+    picked = data[name].isel({first: few[0]}).isel({second: few[1]}).transpose(first, second)
     click.echo(f"\n{shades(picked.values.astype(float), width=_NARROW)}")
-    dark = "early" if name == "flip_time" else "slow"
-    click.echo(f"theta1 to the right, theta2 upward; dark: {dark}, blank: none\n")
+    click.echo(f"{first} to the right, {second} upward; dark: {_DARK[name]}, blank: none\n")
+
+
+def _dims(data: xr.Dataset) -> tuple[str, str]:
+    """The axes of a map."""
+    return ("theta2", "p2") if "p2" in data.dims else ("theta1", "theta2")
 
 
 def _dataset(found: Held) -> xr.Dataset:
@@ -253,7 +261,8 @@ def _ensemble(found: Held, given: dict[str, Any]) -> Drawing:
 def _table(found: Held, given: dict[str, Any]) -> Drawing:
     from pendula.cli.shown import rows_of
 
-    _say({"comparison": "comparison of methods", "events": "events of a run"}[found.kind])
+    names = {"comparison": "comparison of methods", "events": "events of a run"}
+    _say(names.get(found.kind, "measure of chaos"))
     for name, each in found.known.items():
         if name != "rows":
             _say(f"{name}: {each if isinstance(each, str) else json.dumps(each)}")
@@ -269,6 +278,7 @@ _SHOWN: dict[str, Callable[[Held, dict[str, Any]], Drawing]] = {
     "ensemble": _ensemble,
     "comparison": _table,
     "events": _table,
+    "chaos": _table,
 }
 
 command = click.Command(

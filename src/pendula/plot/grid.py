@@ -1,4 +1,4 @@
-"""Cells over two angles: reading what a picture can show, and the axes in degrees or parts of π."""
+"""Cells of a map: what a picture can show of them, and the axes, in degrees or parts of π."""
 
 from __future__ import annotations
 
@@ -28,27 +28,34 @@ if TYPE_CHECKING:
 
 MOST = 4096  # cells along an axis of a picture: 16 million take 2 GB while they are drawn
 _AT_ONCE = 2**23  # cells read at once: 64 MB of times
-_DIMS = ("theta1", "theta2")
+ANGLES = ("theta1", "theta2")
+SECTION = ("theta2", "p2")  # the momentum has no degrees
 _PARTS = tuple(Fraction(n, d) for n, d in ((1, 12), (1, 6), (1, 4), (1, 2), (1, 1), (2, 1)))
 
 
 @dataclass(frozen=True)
 class Grid:
-    """The cells drawn: centres and outer edges, in degrees."""
+    """The cells drawn: centres and outer edges, angles in degrees, by the names of the axes."""
 
     x: Array
     y: Array
     extent: tuple[float, float, float, float]
+    dims: tuple[str, str] = ANGLES
 
     @property
     def width(self) -> float:
-        """[°]."""
+        """In the unit of the axis."""
         return self.extent[1] - self.extent[0]
 
     @property
     def height(self) -> float:
-        """[°]."""
+        """In the unit of the axis."""
         return self.extent[3] - self.extent[2]
+
+    @property
+    def alike(self) -> bool:
+        """Whether both axes have one unit."""
+        return self.dims == ANGLES
 
     def padded(self) -> tuple[Array, Array]:
         """Centres with the outer edges at both ends."""
@@ -74,43 +81,49 @@ def check_dataset(given: object, caller: str) -> None:
 
 
 def picked(
-    dataset: xr.Dataset, names: Sequence[str], caller: str
+    dataset: xr.Dataset, names: Sequence[str], caller: str, dims: tuple[str, str] = ANGLES
 ) -> tuple[Grid, dict[str, NDArray[Any]]]:
     """The cells to draw, (n2, n1) of each variable: every k-th, where there are too many.
 
     Raises:
-        ValueError: for a dataset without these variables over theta1 and theta2, or one whose cells
-            are not all computed.
+        ValueError: for a dataset without these variables over both dims, or one whose cells are not
+            all computed.
     """
     if UNFINISHED in dataset.attrs:
         rule = "must be finished, but some of its chunks are not computed yet"
         raise ArgumentError("dataset", rule, "run <call=the call that made the store again>")
     for name in names:
         found = dataset[name].dims if name in dataset else None
-        if found is None or set(found) != set(_DIMS):
+        if found is None or set(found) != set(dims):
             has = "has none" if found is None else f"has ({', '.join(map(str, found))})"
             raise ArgumentError(
                 "dataset",
-                "must hold {text} over theta1 and theta2, but {place}",
+                f"must hold {{text}} over {' and '.join(dims)}, but {{place}}",
                 f"give what pendula.{caller} returned",
                 text=name,
                 place=has,
             )
-    centres = [np.asarray(dataset[dim].values, dtype=np.float64) for dim in _DIMS]
-    for dim, values in zip(_DIMS, centres, strict=True):
+    centres = [np.asarray(dataset[dim].values, dtype=np.float64) for dim in dims]
+    for dim, values in zip(dims, centres, strict=True):
         if values.size == 0 or not (np.diff(values) > 0).all():
             rule = "must have rising cell centres, got {text}"
             raise ArgumentError("dataset", rule, text=f"{dim} = {values[:4]}")
     strides = [-(-values.size // MOST) for values in centres]
-    places = {dim: slice(k // 2, None, k) for dim, k in zip(_DIMS, strides, strict=True)}
-    x, y = (np.degrees(v[places[dim]]) for dim, v in zip(_DIMS, centres, strict=True))
-    grid = Grid(x, y, (*_edges(centres[0]), *_edges(centres[1])))
+    places = {dim: slice(k // 2, None, k) for dim, k in zip(dims, strides, strict=True)}
+    shown = [_shown(dim, v) for dim, v in zip(dims, centres, strict=True)]
+    x, y = (v[places[dim]] for dim, v in zip(dims, shown, strict=True))
+    grid = Grid(x, y, (*_edges(shown[0]), *_edges(shown[1])), dims)
     return grid, {name: _thinned(dataset[name], places) for name in names}
+
+
+def _shown(dim: str, values: Array) -> Array:
+    """Values in the unit of their axis: angles in degrees."""
+    return np.degrees(values) if dim.startswith("theta") else values
 
 
 def _thinned(array: xr.DataArray, places: dict[str, slice]) -> NDArray[Any]:
     """The cells (n2, n1) at these places, band by band: a file may hold more than the memory."""
-    first, second = _DIMS
+    first, second = places
     rows = np.arange(array.sizes[first])[places[first]]
     chunk = array.encoding.get("preferred_chunks", {}).get(first, 0)
     band = chunk if 0 < chunk * array.sizes[second] <= _AT_ONCE else 0
@@ -126,17 +139,20 @@ def _thinned(array: xr.DataArray, places: dict[str, slice]) -> NDArray[Any]:
 
 
 def _edges(centres: Array) -> tuple[float, float]:
-    """Outer edges of the first and the last cell [°]."""
-    half = float(centres[-1] - centres[0]) / (2 * (centres.size - 1)) if centres.size > 1 else 0.01
-    return math.degrees(centres[0] - half), math.degrees(centres[-1] + half)
+    """Outer edges of the first and the last cell, in the unit of the axis."""
+    half = float(centres[-1] - centres[0]) / (2 * (centres.size - 1)) if centres.size > 1 else 0.5
+    return float(centres[0] - half), float(centres[-1] + half)
 
 
 def angle_axes(ax: Axes, grid: Grid, ticks: str, words: Labels) -> None:
-    """Label both axes, with ticks in degrees or in parts of π."""
+    """Label both axes, angles with ticks in degrees or in parts of π."""
     left, right, low, high = grid.extent
-    for name, number, ends in (("x", 1, (left, right)), ("y", 2, (low, high))):
+    for name, dim, ends in zip("xy", grid.dims, ((left, right), (low, high)), strict=True):
+        if not dim.startswith("theta"):
+            getattr(ax, f"set_{name}label")(words.axis[f"momentum_{dim[-1]}"])
+            continue
         kind = "angle" if ticks == "degrees" else "angle_rad"
-        getattr(ax, f"set_{name}label")(words.axis[f"{kind}_{number}"])
+        getattr(ax, f"set_{name}label")(words.axis[f"{kind}_{dim[-1]}"])
         if ticks == "degrees":
             degree_ticks(ax, name, *ends)
             _few_if_long(getattr(ax, f"{name}axis"), *ends)

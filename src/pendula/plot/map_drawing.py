@@ -73,9 +73,9 @@ def drawn(
     title: str | None,
     words: Labels,
 ) -> tuple[Figure, Axes]:
-    """The cells as one image, on axes of angles, in a figure of its own or in given axes."""
+    """The cells as one image, in a figure of its own or in given axes."""
     ratio = grid.height / grid.width
-    equal = 1 / _LONGEST <= ratio <= _LONGEST
+    equal = grid.alike and 1 / _LONGEST <= ratio <= _LONGEST
     height = min(max(_HEIGHT * ratio + 0.7, _LOWEST), _HIGHEST) if equal else _HEIGHT
     figure, place = given_or_new(ax, height, words)
     place.grid(visible=False)
@@ -115,6 +115,7 @@ def key(figure: Figure, ax: Axes, names: list[str], end: str, words: Labels) -> 
     looks: dict[str, dict[str, Any]] = {
         "forbidden": {"facecolor": FORBIDDEN, "edgecolor": _HATCH, "hatch": "////"},
         "unknown": {"facecolor": FORBIDDEN, "edgecolor": _HATCH, "hatch": "////"},
+        "unreachable": {"facecolor": FORBIDDEN, "edgecolor": _HATCH, "hatch": "////"},
         "never": {"facecolor": NEVER},
         "unresolved": {"facecolor": "#e3c8c0"},
     }

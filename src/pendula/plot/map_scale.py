@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 from pendula._attributes import KEY
 from pendula._checks import one_of
 from pendula._messages import ArgumentError
+from pendula.plot.style import power_of_ten
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -46,9 +47,9 @@ def time_scale(attributes: Mapping[Any, Any], time_unit: str) -> TimeScale:
         ValueError: for natural units where the attributes lack the system.
     """
     one_of("time_unit", time_unit, ("s", "natural"))
-    inputs = _inputs(attributes)
+    inputs = inputs_of(attributes)
     which = inputs.get("which")
-    rest = which, _seconds(attributes)
+    rest = which, seconds_of(attributes)
     if time_unit == "s":
         return TimeScale(1.0, "s", *rest)
     try:
@@ -70,7 +71,7 @@ def growth_time(attributes: Mapping[Any, Any]) -> float:
     Raises:
         ValueError: where the attributes lack it.
     """
-    t_max = _seconds(attributes)
+    t_max = seconds_of(attributes)
     if t_max is None or not t_max > 0.0:
         raise ArgumentError(
             "dataset",
@@ -80,12 +81,14 @@ def growth_time(attributes: Mapping[Any, Any]) -> float:
     return t_max
 
 
-def _seconds(attributes: Mapping[Any, Any]) -> float | None:
-    t_max = attributes.get("t_max", _inputs(attributes).get("t_max"))
+def seconds_of(attributes: Mapping[Any, Any]) -> float | None:
+    """The length of a map's runs [s]; None: unknown."""
+    t_max = attributes.get("t_max", inputs_of(attributes).get("t_max"))
     return None if t_max is None else float(t_max)
 
 
-def _inputs(attributes: Mapping[Any, Any]) -> dict[str, Any]:
+def inputs_of(attributes: Mapping[Any, Any]) -> dict[str, Any]:
+    """What a map was made from; empty: unknown."""
     try:
         inputs = json.loads(attributes.get(KEY, "{}"))
     except (TypeError, ValueError):
@@ -102,6 +105,15 @@ def number_ticks(bar: Any, words: Labels) -> None:
     bar.locator = LogLocator(subs=_within(low, high)) if logarithmic else MaxNLocator(6)
     bar.minorlocator = NullLocator()
     bar.formatter = FuncFormatter(lambda x, _: words.local(f"{x:.6g}"))
+    bar.update_ticks()
+
+
+def power_ticks(bar: Any) -> None:
+    """Put powers of ten at the ticks of a colour bar over many of them."""
+    from matplotlib.ticker import FuncFormatter, LogLocator, NullLocator
+
+    bar.locator, bar.minorlocator = LogLocator(numticks=9), NullLocator()
+    bar.formatter = FuncFormatter(power_of_ten)
     bar.update_ticks()
 
 

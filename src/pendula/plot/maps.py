@@ -9,6 +9,7 @@ import numpy as np
 from pendula._checks import number_pair, one_of
 from pendula._messages import ArgumentError
 from pendula.plot.grid import check_dataset, picked
+from pendula.plot.indicator_maps import INDICATORS, indicator_map
 from pendula.plot.labels import labels
 from pendula.plot.map_drawing import (
     FORBIDDEN,
@@ -201,11 +202,15 @@ def divergence_map(
     return figure if ax is None else ax
 
 
-_DRAWERS: dict[str, Any] = {"flip_time": flip_map, "growth": divergence_map}
+_DRAWERS: dict[str, Any] = {
+    "flip_time": flip_map,
+    "growth": divergence_map,
+    **dict.fromkeys(INDICATORS, indicator_map),
+}
 
 
 def stored_map(dataset: xr.Dataset, **look: Any) -> Any:
-    """The picture of a map of either kind; `look`: what `flip_map` or `divergence_map` takes.
+    """The picture of a map of any kind; `look`: what its own function takes, as `flip_map` does.
 
     Raises:
         ValueError: for a dataset that is no map, or is not finished, or an unknown option.
@@ -215,8 +220,8 @@ def stored_map(dataset: xr.Dataset, **look: Any) -> Any:
             return draw(dataset, **look)
     raise ArgumentError(
         "dataset",
-        "must hold flip_time or growth, got {text}",
-        "give what pendula.flip_map or pendula.divergence_map returned",
+        f"must hold {', '.join(list(_DRAWERS)[:-1])} or {list(_DRAWERS)[-1]}, got {{text}}",
+        "give what pendula.flip_map or another map returned",
         text=", ".join(map(str, dataset.data_vars)) or "no variables",
     )
 

@@ -193,7 +193,7 @@ def logarithmic(ax: Axes, *axes: str) -> None:
         if name == "y" and low > 0 and high / low < 100:
             ax.set_ylim(low / 10, high * 10)
         axis.set_major_locator(LogLocator(numticks=8))
-        axis.set_major_formatter(FuncFormatter(_power_of_ten))
+        axis.set_major_formatter(FuncFormatter(power_of_ten))
         axis.set_minor_locator(NullLocator())
 
 
@@ -205,7 +205,8 @@ def for_logarithm(values: Array) -> Array:
     return np.where((values > 0) & (values < _MOST), values, np.nan)
 
 
-def _power_of_ten(x: float, _: int) -> str:
+def power_of_ten(x: float, _: int) -> str:
+    """A tick of a logarithmic axis."""
     return "10" + str(round(np.log10(x))).translate(_SUPERSCRIPTS) if x > 0 else ""
 
 

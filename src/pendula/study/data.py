@@ -6,6 +6,8 @@ import math
 from itertools import zip_longest
 from typing import TYPE_CHECKING
 
+from pendula.study.chaos import chaos_tables
+
 if TYPE_CHECKING:
     from collections.abc import Iterable, Mapping
     from pathlib import Path
@@ -50,6 +52,7 @@ def _tables(results: Results) -> dict[str, Columns]:
             "method": [*double.parting, "reference and its repetitions"],
             "time [s]": [*double.parting.values(), double.horizon],
         },
+        **chaos_tables(results.chaos),
     }
 
 

@@ -17,6 +17,7 @@ import numpy as np
 from pendula._engine import ON_GRID, method_named
 from pendula.analysis import at_steps
 from pendula.run.solve import methods
+from pendula.study.chaos import chaos_facts
 from pendula.study.errata import errata
 from pendula.study.runs import METHODS, REPETITIONS
 from pendula.study.schema import REPORT
@@ -46,6 +47,7 @@ def facts(results: Results, words: Labels, numbers: Numbers, version: str) -> di
         "orders": _orders(results, words, numbers),
         "work": work_facts(results.work, results.recipe.work.swings, words, numbers),
         "double": _double(results, words, numbers),
+        "chaos": chaos_facts(results.chaos, results.recipe.double.tolerance, words, numbers),
         "errata": _errata(words.language),
     }
 

@@ -71,6 +71,7 @@ class Figures:
             "double-paths": self._double_paths,
             "double-energy": self._double_energy,
             "double-parting": self._double_parting,
+            **({"double-section": self._section} if self._results.chaos.section else {}),
         }
 
     def _models(self) -> Figure:
@@ -165,6 +166,12 @@ class Figures:
         tolerance = float(np.degrees(self._results.recipe.double.tolerance))
         t = double.reference.t
         return plot.parting(t, differences, moments, tolerance, **self._language)
+
+    def _section(self) -> Figure:
+        found = self._results.chaos
+        assert found.section is not None
+        drawn: Figure = plot.section(found.section, found.indicator, **self._language)
+        return drawn
 
 
 def write_figure(figure: Figure, folder: Path, name: str, also: Sequence[str]) -> None:

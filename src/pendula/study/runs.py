@@ -25,6 +25,7 @@ from pendula.analysis import (
 from pendula.run._times import spaced
 from pendula.run.exact import exact
 from pendula.run.solve import solve
+from pendula.study.chaos import Chaos, chaos
 from pendula.study.work import work
 from pendula.systems import DoublePendulum, LinearPendulum, SimplePendulum, System
 
@@ -147,6 +148,7 @@ class Results:
     work: dict[str, WorkPrecision]
     """What every method's errors cost, of the "simple" and of the "double" pendulum."""
     double: DoubleComparison
+    chaos: Chaos
 
 
 def compute(recipe: Recipe) -> Results:
@@ -170,6 +172,7 @@ def compute(recipe: Recipe) -> Results:
         orders=_orders(recipe.convergence, linear, simple, recipe),
         work=work(recipe, simple, *double_pendulum(recipe.double)),
         double=_double(recipe),
+        chaos=chaos(*double_pendulum(recipe.double)),
     )
 
 

@@ -22,6 +22,7 @@ class Labels:
     run: dict[str, str]
     axis: dict[str, str]
     curve: dict[str, str]
+    case: dict[str, str]
 
     def name(self, run: str) -> str:
         """The name of a run: a method's, "exact", "linear" or "reference"."""
