@@ -39,7 +39,9 @@ def _fragment_of(start: str) -> str:
 
     found = held(start)
     if found.kind != "trajectory":
-        raise click.UsageError(f"the laboratory shows trajectories; {start} holds a {found.kind}")
+        raise click.UsageError(
+            f"the laboratory shows trajectories, not files of the kind {found.kind!r} such as {start}"
+        )
     run = load(start)
     if lost := losses(run):
         click.echo(f"{start}: shown without its {' and '.join(lost)}", err=True)
