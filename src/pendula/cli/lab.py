@@ -39,9 +39,8 @@ def _fragment_of(start: str) -> str:
 
     found = held(start)
     if found.kind != "trajectory":
-        raise click.UsageError(
-            f"the laboratory shows trajectories, not files of the kind {found.kind!r} such as {start}"
-        )
+        rule = f"{start} must hold a trajectory to be shown in the laboratory"
+        raise ValueError(f"{rule}, got a file of the kind {found.kind!r}; use pendula show")
     run = load(start)
     if lost := losses(run):
         click.echo(f"{start}: shown without its {' and '.join(lost)}", err=True)
