@@ -15,9 +15,10 @@ from hypothesis import strategies as st
 
 import pendula
 from pendula.lab import Recipe, read_link
-from pendula.lab.address import is_link, number_of, written
+from pendula.lab.address import is_link, number_of, rows, written
 from pendula.lab.recipe import losses
 from refusals import told
+from test_readme import ROOT
 
 CASES = json.loads((Path(__file__).parent / "data/addresses.json").read_text(encoding="utf-8"))
 RODS = pendula.DoublePendulum.rods(m1=0.1, m2=1.0 / 3.0)
@@ -181,3 +182,16 @@ def test_a_link_of_many_digits_says_when_they_end() -> None:
     recipe = read_link("#system=double&t_max=100000&digits=15&every=100000")
     assert told(recipe.run).startswith("the link: digits = 15 at t = ")
     assert math.isfinite(recipe.t_max)
+
+
+# ---- the documentation ----
+
+
+@pytest.mark.parametrize("language", ["en", "es"])
+def test_the_pages_list_the_keys(language: str) -> None:
+    text = (ROOT / "docs" / language / "lab.md").read_text(encoding="utf-8")
+    told = re.findall(r"^\| `(\w+)` \|", text, re.MULTILINE)
+    assert told == [*rows("recipe"), *rows("page")]
+    for row in rows("page").values():
+        for choice in row.get("choices", ()):
+            assert f"`{choice}`" in text
