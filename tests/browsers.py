@@ -66,6 +66,13 @@ class Browser:
             self._wait(0.1)
         return False
 
+    def value(self, expression: str) -> Any:
+        """What an expression, or a promise, gives in the page."""
+        asked = {"expression": expression, "awaitPromise": True, "returnByValue": True}
+        found = self._ask("Runtime.evaluate", self._sessions[0], **asked)
+        assert "exceptionDetails" not in found, found
+        return found["result"].get("value")
+
     def _ask(self, method: str, session: str = "", **parameters: Any) -> dict[str, Any]:
         """What a call returns; a call to a frame that is gone returns nothing."""
         number = self._send(method, session, **parameters)

@@ -14,9 +14,20 @@ import browsers
 import pendula
 from browsers import browser
 from lab_pages import asked, serving
-from pendula.lab import page
+from pendula.lab import page, read_link
 from pendula.lab.export import export
 
+CHOOSE_EXAMPLES = """(async () => {
+  const list = document.querySelector("header select");
+  const links = new Set();
+  for (const { value } of list.options) {
+    list.value = value;
+    list.dispatchEvent(new Event("change", { bubbles: true }));
+    await new Promise((done) => setTimeout(done, 700));
+    links.add(location.hash);
+  }
+  return [...links];
+})()"""
 LINK = "#system=simple&length=1&state=2,0&t_max=20&lang=en"
 PERIOD = f"Period: exact {pendula.SimplePendulum().period(2.0):.5g} s"  # of a release at 2 rad
 
@@ -59,6 +70,18 @@ def test_the_server_shows_the_pendulum_of_a_link(tmp_path: Path) -> None:
 def test_a_link_is_refused_by_the_page_too(tmp_path: Path) -> None:
     with serving() as server:
         check(f"{server.url}{LINK}&metod=rk4", "metod", tmp_path)
+
+
+def test_the_addresses_of_all_examples_are_links_of_python(tmp_path: Path) -> None:
+    """What the page writes is read, and means the same once Python has written it again."""
+    with serving() as server, browser(tmp_path) as one:
+        one.open(f"{server.url}{LINK}")
+        assert one.shows(PERIOD)
+        links = one.value(CHOOSE_EXAMPLES)
+    assert len(links) > 5
+    for link in links:
+        recipe = read_link(link)
+        assert read_link(recipe.link()) == recipe
 
 
 def test_one_file_works_from_a_disk(tmp_path: Path) -> None:
