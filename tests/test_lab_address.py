@@ -77,6 +77,11 @@ def test_every_page_that_a_link_is_on_gives_the_same_recipe() -> None:
     assert read_link(f" {fragment}\n") == bare
 
 
+@pytest.mark.parametrize("link", [None, 1, Path("run.csv"), b"#system=simple&t_max=1"])
+def test_a_link_is_text(link: Any) -> None:
+    assert told(lambda: read_link(link)).startswith(f"the link: must be text, got {link!r}; write")
+
+
 def test_a_path_is_no_link(tmp_path: Path) -> None:
     numbered = tmp_path / "run#1.csv"
     numbered.touch()
