@@ -43,7 +43,7 @@ PARTED = """new Promise((done) => {
 PERIOD = f"Period: exact {pendula.SimplePendulum().period(2.0):.5g} s"  # of a release at 2 rad
 
 pytestmark = [
-    pytest.mark.skipif(not (page.STATIC / page.START).exists(), reason="not built: make lab"),
+    pytest.mark.skipif(not (page.STATIC / page.ONE_FILE).exists(), reason="not built: make lab"),
     pytest.mark.skipif(not browsers.PROGRAM, reason="there is no chromium here"),
 ]
 
