@@ -13,7 +13,7 @@ import pytest
 from pendula import DoublePendulum, SimplePendulum, methods, solve
 from pendula.analysis import MethodWork, WorkPrecision, time_scale
 from pendula.plot.labels import labels
-from pendula.study.data import _work, _write
+from pendula.study.data import _work, write_table
 from pendula.study.notation import Numbers
 from pendula.study.recipe import read_recipe
 from pendula.study.work import work, work_facts
@@ -56,7 +56,7 @@ def test_the_files_have_every_run_and_no_times(
     found: dict[str, WorkPrecision], tmp_path: Path
 ) -> None:
     for system, part in found.items():
-        _write(tmp_path / "work.csv", _work(part))
+        write_table(tmp_path / "work.csv", _work(part))
         with (tmp_path / "work.csv").open(encoding="utf-8") as file:
             header, *rows = csv.reader(file)
         assert header == [

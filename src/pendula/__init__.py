@@ -39,6 +39,7 @@ _MODULES = (
     "elliptic",
     "events",
     "io",
+    "lab",
     "maps",
     "measured",
     "plot",

@@ -20,9 +20,11 @@ from pendula.cli import (
     compare,
     exact,
     fit,
+    lab,
     map,
     methods,
     period,
+    rerun,
     show,
     solve,
     study,
@@ -60,8 +62,23 @@ def _pendula() -> None:
     """A laboratory for the simple and the double pendulum."""
 
 
-_MODULES = solve, exact, period, methods, compare, chaos, map, sweep, animate, show, fit, study
-for module in _MODULES:
+_COMMANDS = (
+    solve,
+    exact,
+    rerun,
+    period,
+    methods,
+    compare,
+    chaos,
+    map,
+    sweep,
+    fit,
+    animate,
+    show,
+    lab,
+    study,
+)
+for module in _COMMANDS:
     _pendula.add_command(module.command)
 
 

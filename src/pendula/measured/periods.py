@@ -151,9 +151,7 @@ def fit_periods(
     known = (apparatus or Apparatus()).known
     checked = checked_table(table, length, known)
     names = checked_corrections(corrections, checked.known)
-    timing = None if timing_error is None else positive_number("timing_error", timing_error, "s")
-    ruler = positive_number("length_error", length_error, "m", zero=True)
-    protractor = positive_number("amplitude_error", amplitude_error, "rad", zero=True)
+    timing, ruler, protractor = _checked_errors(timing_error, length_error, amplitude_error)
     law = by_length if checked.law == "length" else by_amplitude
 
     def line(chosen: Iterable[str], scatter: Scatter) -> Line:
@@ -180,6 +178,17 @@ def fit_periods(
         "amplitude_error": protractor,
     }
     return replace(_told(table, checked, found, judged, changes, ruler), recipe=recipe)
+
+
+def _checked_errors(
+    timing: object, length: object, amplitude: object
+) -> tuple[float | None, float, float]:
+    """Standard deviations of a period [s], of a length [m] and of an amplitude [rad]."""
+    return (
+        None if timing is None else positive_number("timing_error", timing, "s"),
+        positive_number("length_error", length, "m", zero=True),
+        positive_number("amplitude_error", amplitude, "rad", zero=True),
+    )
 
 
 class _Judged(NamedTuple):
