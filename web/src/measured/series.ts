@@ -52,7 +52,7 @@ export function seriesOf(table: Table, reading: Reading): Series {
   if (rows.length < 2) throw new Refused("data_empty");
   for (let i = 1; i < rows.length; ++i) {
     const [before, now] = [table.columns[time][rows[i - 1]], table.columns[time][rows[i]]];
-    if (!(now > before)) throw new Refused("data_time", { line: table.lines[rows[i]], before, now });
+    if (!(now > before)) throw new Refused("data_backwards", { line: table.lines[rows[i]], before, now });
   }
   const start = table.columns[time][rows[0]];
   const factor = reading.unit === "deg" ? Math.PI / 180 : 1;
