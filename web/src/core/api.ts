@@ -11,7 +11,7 @@
 
 /** A system of the catalogue, one of its forms, and values for all parameters of that form, in its order. */
 export interface SystemDescription {
-  /** Name in the catalogue: "linear", "simple", "double", "driven_linear", "driven", "damped_double". */
+  /** Name in the catalogue: "linear", "simple", "double", "driven-linear", "driven", "damped-double". */
   readonly name: string;
   /** Name of the form; "" where the system has one only. */
   readonly form: string;
@@ -301,7 +301,12 @@ export interface Calls {
   /** One run, with events and, by `options.certify`, its trust horizon: what pendula.solve gives. */
   solve(request: RunRequest): Run;
   /** The closed form, (m, n, 2), from states (m, 2) at t0: what pendula.exact gives. */
-  exact(system: SystemDescription, states: Float64Array, times: Float64Array, t0?: number): Float64Array;
+  exact(
+    system: SystemDescription,
+    states: Float64Array,
+    times: Float64Array,
+    t0?: number,
+  ): Float64Array;
   /** Exact periods of states (m, 2), (m,) [s]; Infinity on the separatrix. */
   periods(system: SystemDescription, states: Float64Array): Float64Array;
   /** When each state (m, 2), with ω ≥ 0 or ω < 0 alike, is first at its angle (m,) [s]. */
@@ -329,7 +334,6 @@ export interface CallOptions {
   /** "live": the worker that is kept for what is on the stage; left out: any other one. */
   readonly on?: "live" | "any";
 }
-
 
 /** A pool of workers: one instance in each, of one compiled module. */
 export interface Core {
