@@ -52,6 +52,8 @@ export interface SystemRow {
   readonly components: readonly ComponentRow[];
   readonly forms: readonly FormRow[];
   readonly capabilities: Capabilities;
+  /** Names of the constants that its equations are written in. */
+  readonly constants: readonly string[];
   /** Names of what does work on it, and of what turns its energy into heat. */
   readonly works: readonly string[];
   readonly heats: readonly string[];
