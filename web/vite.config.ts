@@ -3,7 +3,6 @@
 import { defineConfig } from "vite";
 
 export default defineConfig({
-  root: import.meta.dirname,
   base: "./",
   build: {
     outDir: "../src/pendula/lab/static",

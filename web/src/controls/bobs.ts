@@ -18,7 +18,8 @@ const REST = 0.15; // rad/s, below which nothing was thrown
 export class Bobs {
   readonly element = el("div", { class: "bobs" });
   private readonly handles: HTMLElement[];
-  private held: { index: number; path: { at: number; angle: number }[]; played: boolean } | null = null;
+  private held: { index: number; path: { at: number; angle: number }[]; played: boolean } | null =
+    null;
 
   constructor(
     private readonly lab: Lab,
@@ -30,7 +31,8 @@ export class Bobs {
   }
 
   private handle(index: number): HTMLElement {
-    const name = this.handles?.length || isDouble(this.lab.recipe) ? `${t("bob")} ${index + 1}` : t("bob");
+    const name =
+      this.handles?.length || isDouble(this.lab.recipe) ? `${t("bob")} ${index + 1}` : t("bob");
     const handle = el("div", {
       class: "bob",
       role: "slider",
@@ -57,7 +59,11 @@ export class Bobs {
     const pivot = pivotAt(lab.recipe, motion.times[place]);
     this.handles.forEach((handle, i) => {
       const at = place * motion.size + 2 * i;
-      const [x, y] = toScreen(pane, motion.positions[at] + pivot[0], motion.positions[at + 1] + pivot[1]);
+      const [x, y] = toScreen(
+        pane,
+        motion.positions[at] + pivot[0],
+        motion.positions[at + 1] + pivot[1],
+      );
       handle.style.transform = `translate(${x - HANDLE / 2}px, ${y - HANDLE / 2}px)`;
     });
     if (!clock.playing) this.speak(place);
@@ -69,7 +75,8 @@ export class Bobs {
       const degrees = motion.states[place * motion.size + i] * DEGREES;
       handle.setAttribute("aria-valuenow", degrees.toFixed(1));
       const text = t("angle_text", { angle: fixed(degrees, 1) });
-      if (handle.getAttribute("aria-valuetext") !== text) handle.setAttribute("aria-valuetext", text);
+      if (handle.getAttribute("aria-valuetext") !== text)
+        handle.setAttribute("aria-valuetext", text);
     });
   }
 
@@ -146,7 +153,8 @@ export class Bobs {
     const last = path[path.length - 1];
     const recent = path.filter((each) => event.timeStamp - each.at < THROWN);
     const first = recent[0] ?? last;
-    const rate = last.at > first.at ? (1000 * (last.angle - first.angle)) / (last.at - first.at) : 0;
+    const rate =
+      last.at > first.at ? (1000 * (last.angle - first.angle)) / (last.at - first.at) : 0;
     const thrown = Math.abs(rate) > REST;
     if (thrown) this.set(index, last.angle, Number(rate.toPrecision(3)));
     if (thrown || played) this.lab.clock.play();

@@ -69,5 +69,10 @@ export function tick(
 
 /** A part that unfolds. */
 export function unfolds(title: string, open: boolean, ...children: Child[]): HTMLDetailsElement {
-  return el("details", { open }, el("summary", {}, title), el("div", { class: "fold" }, ...children));
+  return el(
+    "details",
+    { open },
+    el("summary", {}, title),
+    el("div", { class: "fold" }, ...children),
+  );
 }

@@ -17,9 +17,18 @@ export interface Transport {
 }
 
 /** A round button with a drawing. */
-export function button(name: Key, drawing: string, onclick: () => void, extra = ""): HTMLButtonElement {
+export function button(
+  name: Key,
+  drawing: string,
+  onclick: () => void,
+  extra = "",
+): HTMLButtonElement {
   const label = t(name);
-  return el("button", { type: "button", class: `round ${extra}`, "aria-label": label, title: label, onclick }, icon(drawing));
+  return el(
+    "button",
+    { type: "button", class: `round ${extra}`, "aria-label": label, title: label, onclick },
+    icon(drawing),
+  );
 }
 
 export function transport(lab: Lab): Transport {
@@ -36,7 +45,14 @@ export function transport(lab: Lab): Transport {
     lab.tell("time");
   };
   const play = button("play", "play", toggle, "main");
-  const time = el("input", { type: "range", min: 0, step: 1, value: 0, "aria-label": t("time"), class: "time" });
+  const time = el("input", {
+    type: "range",
+    min: 0,
+    step: 1,
+    value: 0,
+    "aria-label": t("time"),
+    class: "time",
+  });
   time.addEventListener("input", () => step(Number(time.value) - clock.place));
   const readout = el("output", { class: "clock" });
   const element = el(
@@ -69,7 +85,9 @@ export function transport(lab: Lab): Transport {
 }
 
 function speedChoice(lab: Lab): HTMLElement {
-  const known = SPEEDS.includes(lab.page.speed) ? SPEEDS : [...SPEEDS, lab.page.speed].sort((a, b) => a - b);
+  const known = SPEEDS.includes(lab.page.speed)
+    ? SPEEDS
+    : [...SPEEDS, lab.page.speed].sort((a, b) => a - b);
   const options = known.map((speed) => [String(speed), `${shown(speed)}×`] as const);
   return choice(t("speed"), options, String(lab.page.speed), (value) =>
     lab.changePage({ speed: Number(value) }),

@@ -30,9 +30,15 @@ const LARGEST_IN_RADIANS = 7; // beyond a turn, an angle without a unit is one i
 export function guess(table: Table): Reading {
   if (table.columns.length < 2) throw new Refused("data_one_column");
   const { names } = table;
-  const time = Math.max(0, names.findIndex((name) => TIME.test(name)));
-  const named = names.findIndex((name, i) => i !== time && ANGLE.test(name) && !NO_ANGLE.test(name));
-  if (names.length > 0 && named < 0) throw new Refused("data_no_angle", { names: names.join(", ") });
+  const time = Math.max(
+    0,
+    names.findIndex((name) => TIME.test(name)),
+  );
+  const named = names.findIndex(
+    (name, i) => i !== time && ANGLE.test(name) && !NO_ANGLE.test(name),
+  );
+  if (names.length > 0 && named < 0)
+    throw new Refused("data_no_angle", { names: names.join(", ") });
   const angle = named < 0 ? (time === 0 ? 1 : 0) : named;
   const name = names[angle] ?? "";
   const largest = table.columns[angle].reduce(
@@ -52,7 +58,8 @@ export function seriesOf(table: Table, reading: Reading): Series {
   if (rows.length < 2) throw new Refused("data_empty");
   for (let i = 1; i < rows.length; ++i) {
     const [before, now] = [table.columns[time][rows[i - 1]], table.columns[time][rows[i]]];
-    if (!(now > before)) throw new Refused("data_backwards", { line: table.lines[rows[i]], before, now });
+    if (!(now > before))
+      throw new Refused("data_backwards", { line: table.lines[rows[i]], before, now });
   }
   const start = table.columns[time][rows[0]];
   const factor = reading.unit === "deg" ? Math.PI / 180 : 1;

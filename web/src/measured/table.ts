@@ -46,7 +46,13 @@ export function tableOf(text: string): Table {
     throw new Refused("data_no_numbers", { line: row.number, cell: row.cells[0] });
   }
   const width = rows[first].cells.length;
-  const names = first > 0 ? headings(rows.slice(0, first).map((row) => row.cells), width) : [];
+  const names =
+    first > 0
+      ? headings(
+          rows.slice(0, first).map((row) => row.cells),
+          width,
+        )
+      : [];
   return { names, ...numbersOf(rows.slice(first), width, separator) };
 }
 
@@ -57,7 +63,12 @@ function separatorOf(lines: string[]): string {
   if (often(";")) return ";";
   // "0,1 2,5": blanks between numbers with a decimal comma
   const body = sample.slice(1);
-  const blanks = body.every((line) => line.trim().split(/\s+/).every((cell) => DECIMAL_COMMA.test(cell)));
+  const blanks = body.every((line) =>
+    line
+      .trim()
+      .split(/\s+/)
+      .every((cell) => DECIMAL_COMMA.test(cell)),
+  );
   if (often(",") && !(blanks && body.length > 0)) return ",";
   return " ";
 }
@@ -101,7 +112,9 @@ function numbersOf(
   width: number,
   separator: string,
 ): Pick<Table, "columns" | "lines"> {
-  const columns = Array.from({ length: width }, () => new Float64Array(rows.length).fill(Number.NaN));
+  const columns = Array.from({ length: width }, () =>
+    new Float64Array(rows.length).fill(Number.NaN),
+  );
   rows.forEach(({ cells, number }, row) => {
     if (cells.length > width) {
       throw new Refused("data_width", { line: number, count: cells.length, width });

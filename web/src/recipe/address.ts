@@ -2,7 +2,7 @@
 // `pendula.lab.address` does. Nothing is clamped or ignored; what is wrong is refused in one line.
 
 import addressRows from "../../../src/pendula/lab/address.json";
-import { catalogue, formOf, type FormRow, methodNamed, systemNamed } from "../core/catalogue";
+import { catalogue, type FormRow, formOf, methodNamed, systemNamed } from "../core/catalogue";
 import { Refused } from "../words/refused";
 import { EXACT, type Options, type Page, type Recipe, standardOf } from "./recipe";
 
@@ -89,7 +89,8 @@ function numberOf(key: string, text: string): number {
 
 function listOf(given: Map<string, string>, key: string, count: number): number[] {
   const values = given.get(key)!.split(",");
-  if (values.length !== count) throw new Refused("link_count", { key, count, value: values.length });
+  if (values.length !== count)
+    throw new Refused("link_count", { key, count, value: values.length });
   return values.map((text) => numberOf(key, text));
 }
 
@@ -159,7 +160,8 @@ export function checked(recipe: Recipe): void {
   checkTaken(options, method);
   if (row && !row.adaptive) {
     if (options.step === undefined) throw new Refused("rule_step_needed", { key: "step", method });
-    if (options.step > span) throw new Refused("rule_within", { key: "step", value: options.step, span });
+    if (options.step > span)
+      throw new Refused("rule_within", { key: "step", value: options.step, span });
   }
   if (every !== undefined && !(every > 0 && every <= span)) {
     throw new Refused("rule_within", { key: "every", value: every, span });
@@ -242,7 +244,9 @@ export function written(recipe: Recipe, page?: Partial<Page>): string {
     ...Object.entries(options).map(([key, value]): [string, string] => [key, text(value)]),
     ...(page ? pageParts(page) : []),
   ];
-  return parts.map(([key, value]) => `${key}=${encodeURI(value).replace(/[&#+]/g, encodeURIComponent)}`).join("&");
+  return parts
+    .map(([key, value]) => `${key}=${encodeURI(value).replace(/[&#+]/g, encodeURIComponent)}`)
+    .join("&");
 }
 
 function pageParts(page: Partial<Page>): [string, string][] {

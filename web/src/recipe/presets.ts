@@ -66,17 +66,31 @@ export const PRESETS: readonly Preset[] = [
   // Upright on a pivot that shakes fast: a Ωp = 8 m/s is above √(2 g L) = 4.4 m/s (Kapitza, 1951).
   {
     key: "preset_kapitza",
-    recipe: recipe("driven", "bob", [radians(165), 0], 20, {}, {
-      viscous: 0.3,
-      pivot_amplitude: 0.1,
-      pivot_frequency: 80,
-    }),
+    recipe: recipe(
+      "driven",
+      "bob",
+      [radians(165), 0],
+      20,
+      {},
+      {
+        viscous: 0.3,
+        pivot_amplitude: 0.1,
+        pivot_frequency: 80,
+      },
+    ),
     page: STAGE,
   },
   // Baker & Gollub, Chaotic Dynamics (1996), q = 2 and Ω = 2/3: at a = 1.07 the period has doubled.
   {
     key: "preset_doubling",
-    recipe: recipe("driven", "scaled", [0.2, 0], 300, {}, { q: 2, a: 1.07, drive_frequency: 2 / 3 }),
+    recipe: recipe(
+      "driven",
+      "scaled",
+      [0.2, 0],
+      300,
+      {},
+      { q: 2, a: 1.07, drive_frequency: 2 / 3 },
+    ),
     page: { ...STAGE, speed: 5 },
   },
   {

@@ -2,10 +2,10 @@
 
 import type { GridRequest, SystemDescription } from "../core/api";
 import {
-  formOf,
   type FormRow,
-  methodNamed,
+  formOf,
   type MethodRow,
+  methodNamed,
   type ParameterRow,
   type SystemRow,
   systemNamed,
@@ -118,7 +118,14 @@ export function gridOf(recipe: Recipe, method = recipe.method): GridRequest {
   const backward = recipe.t_max < recipe.t0;
   const spacing = spacingOf(recipe) * (backward ? -1 : 1);
   const options = optionsOf(recipe, method);
-  return { system: described(recipe), method, state: recipe.state, t0: recipe.t0, spacing, options };
+  return {
+    system: described(recipe),
+    method,
+    state: recipe.state,
+    t0: recipe.t0,
+    spacing,
+    options,
+  };
 }
 
 const STEP_OF_GHOSTS = 0.01; // s, of a fixed-step method compared with an adaptive one

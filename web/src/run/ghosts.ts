@@ -23,13 +23,18 @@ export class Ghosts {
 
   constructor(private readonly lab: Lab) {}
 
+  /** Leaves what is computed, and shows none. */
+  clear(): void {
+    this.work.abort();
+    this.list = [];
+  }
+
   /** Computes those the page names, one after the other. */
   async run(): Promise<void> {
-    this.work.abort();
+    this.clear();
     this.work = new AbortController();
     const { signal } = this.work;
     const { lab } = this;
-    this.list = [];
     const methods = lab.page.compare.filter((name) => takes(lab, name));
     if (methods.length === 0) return;
     try {
@@ -57,7 +62,11 @@ export class Ghosts {
     const { lab } = this;
     for (const ghost of this.list) {
       if (ghost.method === EXACT || lab.recipe.t_max < lab.recipe.t0) continue;
-      ghost.horizon = await lab.horizonOf(ghost.method, optionsOf(lab.recipe, ghost.method), signal);
+      ghost.horizon = await lab.horizonOf(
+        ghost.method,
+        optionsOf(lab.recipe, ghost.method),
+        signal,
+      );
       lab.tell("motion");
     }
   }

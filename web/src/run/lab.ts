@@ -4,6 +4,7 @@ import type { Core, RunOptions } from "../core/api";
 import { RefusedError } from "../core/api";
 import { catalogue } from "../core/catalogue";
 import { sentence } from "../core/fault";
+import type { Series } from "../measured/series";
 import { checked } from "../recipe/address";
 import {
   described,
@@ -21,7 +22,15 @@ import {
 import { current } from "../words/language";
 import { Clock } from "./clock";
 import { Ghosts } from "./ghosts";
-import { compute, emptyMotion, exactSource, gridSource, type Motion, type Source, solveSource } from "./motion";
+import {
+  compute,
+  emptyMotion,
+  exactSource,
+  gridSource,
+  type Motion,
+  type Source,
+  solveSource,
+} from "./motion";
 
 /** What may change: the recipe; the motion or what is beside it; the place of the clock; the page. */
 export type Change = "recipe" | "motion" | "time" | "page" | "refused";
@@ -34,6 +43,8 @@ export class Lab {
   twinShown = true;
   horizon: number | null = null; // s; null: not known (yet)
   refusal = ""; // of the core, in one line
+  cloudWanted = false; // neighbours around the start
+  measured: Series | null = null; // a recording beside the run
   hidden = false; // gravity is a riddle: neither shown nor in the address
   readonly ghosts: Ghosts;
   private readonly listeners = new Map<Change, Set<() => void>>();
@@ -86,6 +97,8 @@ export class Lab {
     this.motion = this.fresh(recipe.method);
     this.horizon = null;
     this.refusal = "";
+    this.ghosts.clear();
+    this.trustWork.abort();
     const sign = recipe.t_max < recipe.t0 ? -1 : 1;
     this.clock.restart(sign * this.motion.spacing, this.motion.places - 1);
     const main = this.fill(this.motion, this.source(recipe.method), signal);
@@ -109,7 +122,13 @@ export class Lab {
   fresh(method: string): Motion {
     const { recipe } = this;
     const sign = recipe.t_max < recipe.t0 ? -1 : 1;
-    return emptyMotion(method, recipe.state.length, placesOf(recipe), sign * spacingOf(recipe), recipe.t0);
+    return emptyMotion(
+      method,
+      recipe.state.length,
+      placesOf(recipe),
+      sign * spacingOf(recipe),
+      recipe.t0,
+    );
   }
 
   /** Computes a motion of the recipe's system; the stage is told of each piece. */
@@ -122,7 +141,9 @@ export class Lab {
   caught(error: unknown): void {
     if (error instanceof DOMException && error.name === "AbortError") return;
     this.refusal =
-      error instanceof RefusedError ? sentence(error.fault, current()) : String((error as Error).message);
+      error instanceof RefusedError
+        ? sentence(error.fault, current())
+        : String((error as Error).message);
     this.tell("refused");
   }
 
@@ -150,7 +171,11 @@ export class Lab {
   }
 
   /** The time until which a method's run is right to `trusted` [s]; Infinity: to its end. */
-  async horizonOf(method: string, options: RunOptions, signal: AbortSignal): Promise<number | null> {
+  async horizonOf(
+    method: string,
+    options: RunOptions,
+    signal: AbortSignal,
+  ): Promise<number | null> {
     const { spacing: _, ...request } = gridOf(this.recipe, method);
     const times = Float64Array.of(this.recipe.t_max);
     const asked = { ...request, times, options: { ...options, certify: this.trusted } };

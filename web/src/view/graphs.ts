@@ -66,7 +66,8 @@ function drawAngles(lab: Lab, s: Surface, width: number, height: number): void {
   plot.frame();
   plot.clipped(() => {
     if (lab.measured) dots(plot, lab.measured);
-    if (lab.twin && lab.twinShown) angleLine(plot, lab.twin, 0, theme().methods.linear, places, place);
+    if (lab.twin && lab.twinShown)
+      angleLine(plot, lab.twin, 0, theme().methods.linear, places, place);
     for (let j = 0; j < half; ++j) {
       angleLine(plot, motion, j, j === 0 ? theme().accent : theme().second, places, place);
     }
@@ -107,7 +108,11 @@ function drawPhase(lab: Lab, s: Surface, width: number, height: number): void {
   const [low, high] = fold ? [-180, 180] : around(span(motion, 0, half, DEGREES, all), 4);
   const speeds = around(span(motion, half, 2 * half, 1, all), 0.2, 0.1);
   const x = { low, high, label: half === 1 ? "θ" : "θ₁, θ₂", kind: "degrees" as const };
-  const y = { low: speeds[0], high: speeds[1], label: half === 1 ? "ω / (rad/s)" : "ω₁, ω₂ / (rad/s)" };
+  const y = {
+    low: speeds[0],
+    high: speeds[1],
+    label: half === 1 ? "ω / (rad/s)" : "ω₁, ω₂ / (rad/s)",
+  };
   const plot = new Plot(s, width, height, x, y);
   plot.frame();
   plot.clipped(() => {
@@ -227,7 +232,11 @@ const describeEnergy = (lab: Lab): string => {
   const { motion, place } = now(lab);
   const [kinetic, potential] = [motion.kinetic[place], motion.potential[place]];
   const change = kinetic + potential - motion.kinetic[0] - motion.potential[0];
-  const values = { kinetic: shown(kinetic), potential: shown(potential), change: powerOfTen(change) };
+  const values = {
+    kinetic: shown(kinetic),
+    potential: shown(potential),
+    change: powerOfTen(change),
+  };
   return t(conservative(lab) ? "energy_text" : "energy_text_real", values);
 };
 

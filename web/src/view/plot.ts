@@ -61,19 +61,28 @@ export class Plot {
     const across = this.right - this.left;
     for (const value of ticks(this.x, Math.max(2, Math.floor(across / 62)))) {
       const at = this.px(value);
-      this.stroke(colours.grid, [[at, this.top], [at, this.bottom]]);
+      this.stroke(colours.grid, [
+        [at, this.top],
+        [at, this.bottom],
+      ]);
       s.textAlign = "center";
       s.textBaseline = "top";
       s.fillText(tickText(this.x, value), at, this.bottom + 5);
     }
     for (const value of ticks(this.y, Math.max(2, Math.floor((this.bottom - this.top) / 34)))) {
       const at = this.py(value);
-      this.stroke(colours.grid, [[this.left, at], [this.right, at]]);
+      this.stroke(colours.grid, [
+        [this.left, at],
+        [this.right, at],
+      ]);
       s.textAlign = "right";
       s.textBaseline = "middle";
       s.fillText(tickText(this.y, value), this.left - 6, at);
     }
-    this.stroke(colours.line, [[this.left, this.bottom], [this.right, this.bottom]]);
+    this.stroke(colours.line, [
+      [this.left, this.bottom],
+      [this.right, this.bottom],
+    ]);
     this.labels();
   }
 
@@ -156,7 +165,10 @@ export class Plot {
   upright(x: number, colour: string): void {
     this.surface.save();
     this.surface.setLineDash([3, 3]);
-    this.stroke(colour, [[this.px(x), this.top], [this.px(x), this.bottom]]);
+    this.stroke(colour, [
+      [this.px(x), this.top],
+      [this.px(x), this.bottom],
+    ]);
     this.surface.restore();
   }
 }

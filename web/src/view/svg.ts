@@ -29,7 +29,11 @@ export type Surface = Pick<
   | "font"
   | "textAlign"
   | "textBaseline"
->;
+  | "imageSmoothingEnabled"
+> & {
+  /** Only whole canvases are drawn. */
+  drawImage(canvas: HTMLCanvasElement, x: number, y: number, w: number, h: number): void;
+};
 
 const ANCHORS: Record<string, string> = { center: "middle", right: "end", end: "end" };
 const BASELINES: Record<string, string> = { middle: "central", top: "hanging", bottom: "auto" };
@@ -58,6 +62,7 @@ export class SvgSurface implements Surface {
   font = STATE.font;
   textAlign = STATE.textAlign;
   textBaseline = STATE.textBaseline;
+  imageSmoothingEnabled = true;
   private parts: string[] = [];
   private path = "";
   private dash: number[] = [];
@@ -112,7 +117,8 @@ export class SvgSurface implements Surface {
   }
 
   arc(x: number, y: number, r: number, from: number, to: number, backwards = false): void {
-    const at = (angle: number) => `${short(x + r * Math.cos(angle))} ${short(y + r * Math.sin(angle))}`;
+    const at = (angle: number) =>
+      `${short(x + r * Math.cos(angle))} ${short(y + r * Math.sin(angle))}`;
     const sweep = backwards ? 0 : 1;
     const middle = (from + to) / 2;
     const radii = `${short(r)} ${short(r)} 0 0 ${sweep}`;
@@ -143,6 +149,12 @@ export class SvgSurface implements Surface {
     this.parts.push(
       `<text x="${short(x)}" y="${short(y)}" ${place} ${font} fill="${this.fillStyle}"${this.alpha()}>${escaped(text)}</text>`,
     );
+  }
+
+  drawImage(canvas: HTMLCanvasElement, x: number, y: number, w: number, h: number): void {
+    const box = `x="${short(x)}" y="${short(y)}" width="${short(w)}" height="${short(h)}"`;
+    const how = `preserveAspectRatio="none" image-rendering="pixelated"`;
+    this.parts.push(`<image ${box} ${how} href="${canvas.toDataURL()}"/>`);
   }
 
   setLineDash(dash: Iterable<number>): void {

@@ -37,7 +37,10 @@ export const out = {
   record_stop: ["Stop recording", "Detener la grabación"],
   copied: ["Copied.", "Copiado."],
   saved: ["Saved as {name}.", "Guardado como {name}."],
-  not_copied: ["The browser did not allow copying; the text is below.", "El navegador no permitió copiar; el texto está abajo."],
+  not_copied: [
+    "The browser did not allow copying; the text is below.",
+    "El navegador no permitió copiar; el texto está abajo.",
+  ],
   digits_note: [
     "The page computes in doubles; pendula rerun gives the link’s {digits} digits.",
     "La página calcula con doubles; pendula rerun da las {digits} cifras del enlace.",

@@ -31,8 +31,14 @@ export const refusals = {
     "«{key}» debe tener dos números crecientes, se dio {value}.",
   ],
   link_most: ["“{key}” takes {most} at most.", "«{key}» admite {most} como máximo."],
-  rule_number: ["{key} must be a number, got {value}.", "{key} debe ser un número, se dio {value}."],
-  rule_positive: ["{key} must be positive, got {value}.", "{key} debe ser positivo, se dio {value}."],
+  rule_number: [
+    "{key} must be a number, got {value}.",
+    "{key} debe ser un número, se dio {value}.",
+  ],
+  rule_positive: [
+    "{key} must be positive, got {value}.",
+    "{key} debe ser positivo, se dio {value}.",
+  ],
   rule_not_negative: [
     "{key} must not be negative, got {value}.",
     "{key} no debe ser negativo, se dio {value}.",

@@ -18,7 +18,10 @@ export const views = {
   way_rest: ["is at rest", "está en reposo"],
   way_right: ["moves counter-clockwise", "gira en sentido antihorario"],
   way_left: ["moves clockwise", "gira en sentido horario"],
-  waits: ["The computation is behind: the clock waits.", "El cálculo va atrasado: el reloj espera."],
+  waits: [
+    "The computation is behind: the clock waits.",
+    "El cálculo va atrasado: el reloj espera.",
+  ],
   period_exact: ["Period: exact {exact} s", "Periodo: exacto {exact} s"],
   period_both: [
     "Period: last swing {seen} s, exact {exact} s",
@@ -30,10 +33,7 @@ export const views = {
   ],
   period_linear: ["linear {linear} s", "lineal {linear} s"],
   trust_always: ["Right to {angle}° until the end.", "Correcto a {angle}° hasta el final."],
-  trust_until: [
-    "Right to {angle}° until {horizon} s.",
-    "Correcto a {angle}° hasta {horizon} s.",
-  ],
+  trust_until: ["Right to {angle}° until {horizon} s.", "Correcto a {angle}° hasta {horizon} s."],
   trust_passed: [
     "Right to {angle}° until {horizon} s: what moves now is not this start’s motion.",
     "Correcto a {angle}° hasta {horizon} s: lo que se mueve ahora no es el movimiento de este inicio.",
@@ -41,10 +41,7 @@ export const views = {
   trust_exact: ["The closed form is right at any time.", "La forma cerrada es correcta siempre."],
   trust_unknown: ["Until when is this right?…", "¿Hasta cuándo es correcto?…"],
   trust_not_asked: ["Accuracy: not determined.", "Exactitud: sin determinar."],
-  stopped: [
-    "The run ends at {time} s: {why}.",
-    "El cálculo termina a los {time} s: {why}.",
-  ],
+  stopped: ["The run ends at {time} s: {why}.", "El cálculo termina a los {time} s: {why}."],
   why_not_finite: ["the method left the numbers", "el método se salió de los números"],
   why_step_limit: ["the limit of steps", "el límite de pasos"],
   why_other: ["it could not go on", "no pudo continuar"],
@@ -85,7 +82,10 @@ export const views = {
     "θ₂ and ω₂ whenever θ₁ = 0 with ω₁ > 0, by the Taylor method.",
     "θ₂ y ω₂ cada vez que θ₁ = 0 con ω₁ > 0, por el método de Taylor.",
   ],
-  section_driven: ["Once in each period of the drive.", "Una vez en cada periodo de la excitación."],
+  section_driven: [
+    "Once in each period of the drive.",
+    "Una vez en cada periodo de la excitación.",
+  ],
   kinetic: ["kinetic", "cinética"],
   potential: ["potential", "potencial"],
   total: ["total", "total"],
@@ -123,7 +123,10 @@ export const views = {
   map_out: ["Zoom out", "Alejar"],
   map_home: ["Whole map", "Mapa completo"],
   map_stage: ["Start here", "Empezar aquí"],
-  map_progress: ["{shape} × {shape} cells, {percent} % done", "{shape} × {shape} celdas, {percent} % hecho"],
+  map_progress: [
+    "{shape} × {shape} cells, {percent} % done",
+    "{shape} × {shape} celdas, {percent} % hecho",
+  ],
   map_done: ["{shape} × {shape} cells", "{shape} × {shape} celdas"],
   map_at: ["θ₁ = {theta1}°, θ₂ = {theta2}°: {what}", "θ₁ = {theta1}°, θ₂ = {theta2}°: {what}"],
   map_flip: ["rod {rod} turns over after {time} s", "la varilla {rod} da la vuelta a los {time} s"],

@@ -1,0 +1,52 @@
+// Colours of the flip map: the sooner, the lighter; forbidden, never and unresolved have their own.
+
+import type { CellRange } from "../core/api";
+import { FORBIDDEN, type Level, NEVER, UNRESOLVED } from "./explorer";
+
+type Colour = readonly [number, number, number];
+
+export const SHADES: Record<number, Colour> = {
+  [FORBIDDEN]: [214, 210, 202],
+  [NEVER]: [24, 26, 32],
+  [UNRESOLVED]: [232, 86, 150],
+};
+
+// Steps of "cividis" (Nuñez, Anderton & Renslow, PLOS ONE 13 (2018) e0199239), seen alike by eyes
+// with and without a colour deficiency; from soon to late.
+const STEPS: readonly Colour[] = [
+  [254, 232, 56],
+  [216, 193, 87],
+  [173, 158, 110],
+  [135, 131, 120],
+  [104, 108, 115],
+  [73, 85, 110],
+  [30, 62, 111],
+  [0, 40, 92],
+];
+const SOONEST = 0.3; // s: the lightest
+
+/** The colour of a time [s] to flip, on a logarithmic scale. */
+export function colourOf(time: number, tMax: number): Colour {
+  const part = Math.log(Math.max(time, SOONEST) / SOONEST) / Math.log(tMax / SOONEST);
+  const place = Math.min(Math.max(part, 0), 1) * (STEPS.length - 1);
+  const i = Math.min(Math.floor(place), STEPS.length - 2);
+  const [a, b, rest] = [STEPS[i], STEPS[i + 1], place - i];
+  return [0, 1, 2].map((k) => Math.round(a[k] + (b[k] - a[k]) * rest)) as unknown as Colour;
+}
+
+/** Paints some cells of a level; theta2 grows upward. */
+export function paint(level: Level, { first, stop }: CellRange, tMax: number): void {
+  const { side, kinds, times, canvas } = level;
+  const [wide, high] = [stop[0] - first[0], stop[1] - first[1]];
+  const image = new ImageData(wide, high);
+  for (let i = 0; i < wide; ++i) {
+    for (let j = 0; j < high; ++j) {
+      const at = (first[0] + i) * side + first[1] + j;
+      const colour = SHADES[kinds[at]] ?? colourOf(times[at], tMax);
+      const to = 4 * ((high - 1 - j) * wide + i);
+      image.data.set(colour, to);
+      image.data[to + 3] = 255;
+    }
+  }
+  canvas.getContext("2d")!.putImageData(image, first[0], side - stop[1]);
+}

@@ -1,0 +1,368 @@
+// The flip map on the page: wheel, pinch, keys and buttons zoom, dragging moves it, a click or Enter
+// puts a start on the stage.
+
+import { el, fill, fresh } from "../controls/dom";
+import { button } from "../controls/transport";
+import { PRESETS } from "../recipe/presets";
+import { described, systemOf } from "../recipe/recipe";
+import type { Lab } from "../run/lab";
+import { Figure } from "../view/figure";
+import { DEGREES } from "../view/graphs";
+import { Plot } from "../view/plot";
+import type { Surface } from "../view/svg";
+import { theme } from "../view/theme";
+import type { View } from "../view/views";
+import { fixed, shown, t } from "../words/language";
+import { colourOf, SHADES } from "./colours";
+import {
+  distinct,
+  Explorer,
+  FLIPS,
+  FORBIDDEN,
+  type Level,
+  NEVER,
+  type Range,
+  type Rectangle,
+  UNRESOLVED,
+  WAITS,
+} from "./explorer";
+import { Pointers } from "./pointers";
+
+const WHOLE: Range = [-Math.PI, Math.PI];
+const UNTIL = 20; // s
+const COARSEST = 32; // cells that must be different doubles
+
+export class MapView implements View {
+  readonly element = el("div");
+  private rectangle: Rectangle;
+  private cross: [number, number];
+  private explorer: Explorer;
+  private plot: Plot | null = null;
+  private figure: Figure | null = null;
+  private system = "";
+  private readonly status = el("p", { class: "note", role: "status" });
+  private readonly progress = el("p", { class: "note" });
+  private timer = 0;
+
+  constructor(private readonly lab: Lab) {
+    this.explorer = new Explorer(lab.core, () => this.changed());
+    const { map_theta1, map_theta2 } = lab.page;
+    this.rectangle = { theta1: map_theta1 ?? WHOLE, theta2: map_theta2 ?? WHOLE };
+    this.cross = [lab.recipe.state[0], lab.recipe.state[1]];
+    this.make();
+  }
+
+  private make(): void {
+    const { lab } = this;
+    this.system = JSON.stringify(described(lab.recipe));
+    if (!systemOf(lab.recipe).capabilities.mapped) return this.offer();
+    if (!this.figure) this.lay();
+    this.compute(false);
+  }
+
+  /** For systems without a map: one that has it. */
+  private offer(): void {
+    this.figure = null;
+    const take = () => this.lab.change(PRESETS.find((each) => each.key === "preset_paper")!.recipe);
+    fill(
+      this.element,
+      el("p", { class: "note" }, t("map_not")),
+      el("button", { type: "button", onclick: take }, t("map_take")),
+    );
+  }
+
+  private lay(): void {
+    this.figure = new Figure(
+      t("map_title"),
+      (s, width, height) => this.draw(s, width, height),
+      () => this.describe(),
+      "map",
+    );
+    const help = fresh("help");
+    const { canvas } = this.figure;
+    canvas.tabIndex = 0;
+    canvas.setAttribute("role", "application");
+    canvas.setAttribute("aria-describedby", `${help} ${canvas.getAttribute("aria-describedby")}`);
+    canvas.addEventListener("keydown", (event) => this.key(event));
+    new Pointers(canvas, {
+      zoom: (factor, x, y) => this.zoom(factor, this.angleAt(x, y)),
+      move: (dx, dy) => this.move(dx, dy),
+      click: (x, y) => this.put(this.angleAt(x, y)),
+      over: (x, y) => this.say(this.angleAt(x, y)),
+    });
+    const buttons = el(
+      "div",
+      { class: "buttons" },
+      button("map_in", "plus", () => this.zoom(0.5, this.middle())),
+      button("map_out", "minus", () => this.zoom(2, this.middle())),
+      button("map_home", "home", () => this.go({ theta1: WHOLE, theta2: WHOLE })),
+    );
+    this.figure.element.append(buttons);
+    fill(
+      this.element,
+      el("p", { class: "note" }, t("map_intro")),
+      this.figure.element,
+      legend(),
+      this.status,
+      this.progress,
+      el("p", { class: "note", id: help }, t("map_keys")),
+    );
+  }
+
+  private compute(keep: boolean): void {
+    this.explorer
+      .show(described(this.lab.recipe), this.rectangle, UNTIL, keep)
+      .catch((error) => this.lab.caught(error));
+  }
+
+  private changed(): void {
+    const { last, deep } = this.explorer;
+    if (last) {
+      const percent = Math.floor((100 * last.done) / last.side ** 2);
+      const text = last.whole ? "map_done" : "map_progress";
+      this.progress.textContent = `${t(text, { shape: last.side, percent })}${deep ? ` · ${t("map_depth")}` : ""}`;
+    }
+    this.lab.tell("time");
+  }
+
+  private draw(s: Surface, width: number, height: number): void {
+    const axis = ([low, high]: Range, label: string) => ({
+      low: low * DEGREES,
+      high: high * DEGREES,
+      label,
+      kind: "degrees" as const,
+    });
+    const plot = new Plot(
+      s,
+      width,
+      height,
+      axis(this.rectangle.theta1, ""),
+      axis(this.rectangle.theta2, ""),
+    );
+    this.plot = plot;
+    plot.frame();
+    plot.clipped(() => {
+      for (const level of this.explorer.levels) this.layer(plot, level);
+      this.crossAt(plot, this.cross, theme().paper, 3.5);
+      this.crossAt(plot, this.cross, "#111", 1.5);
+    });
+    s.font = `italic 16px ${theme().symbols}`;
+    s.fillStyle = theme().ink;
+    s.textAlign = "right";
+    s.textBaseline = "bottom";
+    s.fillText("θ₁", plot.right, height - 1);
+    s.textAlign = "left";
+    s.textBaseline = "top";
+    s.fillText("θ₂", 2, plot.top);
+  }
+
+  private layer(plot: Plot, level: Level): void {
+    const { theta1, theta2 } = level.rectangle;
+    const [x, right] = theta1.map((value) => plot.px(value * DEGREES));
+    const [bottom, y] = theta2.map((value) => plot.py(value * DEGREES));
+    plot.surface.imageSmoothingEnabled = false;
+    plot.surface.drawImage(level.canvas, x, y, right - x, bottom - y);
+  }
+
+  private crossAt(
+    plot: Plot,
+    [theta1, theta2]: [number, number],
+    colour: string,
+    width: number,
+  ): void {
+    const { surface: s } = plot;
+    const [x, y] = [plot.px(theta1 * DEGREES), plot.py(theta2 * DEGREES)];
+    s.strokeStyle = colour;
+    s.lineWidth = width;
+    s.beginPath();
+    s.moveTo(x - 11, y);
+    s.lineTo(x + 11, y);
+    s.moveTo(x, y - 11);
+    s.lineTo(x, y + 11);
+    s.stroke();
+  }
+
+  private angleAt(x: number, y: number): [number, number] {
+    const { plot, rectangle } = this;
+    if (!plot) return this.middle();
+    const part = (value: number, [low, high]: Range) => low + value * (high - low);
+    return [
+      part((x - plot.left) / (plot.right - plot.left), rectangle.theta1),
+      part((plot.bottom - y) / (plot.bottom - plot.top), rectangle.theta2),
+    ];
+  }
+
+  private middle(): [number, number] {
+    const { theta1, theta2 } = this.rectangle;
+    return [(theta1[0] + theta1[1]) / 2, (theta2[0] + theta2[1]) / 2];
+  }
+
+  private zoom(factor: number, [theta1, theta2]: [number, number]): void {
+    const around = ([low, high]: Range, at: number): Range => [
+      at + (low - at) * factor,
+      at + (high - at) * factor,
+    ];
+    this.go({
+      theta1: within(around(this.rectangle.theta1, theta1)),
+      theta2: within(around(this.rectangle.theta2, theta2)),
+    });
+  }
+
+  private move(dx: number, dy: number): void {
+    const { plot, rectangle } = this;
+    if (!plot) return;
+    const moved = ([low, high]: Range, part: number): Range => {
+      const by = part * (high - low);
+      return within([low + by, high + by]);
+    };
+    this.go({
+      theta1: moved(rectangle.theta1, -dx / (plot.right - plot.left)),
+      theta2: moved(rectangle.theta2, dy / (plot.bottom - plot.top)),
+    });
+  }
+
+  /** Another rectangle, if its cells are different doubles; computed when the hand rests. */
+  private go(rectangle: Rectangle): void {
+    if (!distinct(rectangle, COARSEST)) {
+      this.progress.textContent = t("map_depth");
+      return;
+    }
+    this.rectangle = rectangle;
+    const whole = rectangle.theta1 === WHOLE && rectangle.theta2 === WHOLE;
+    window.clearTimeout(this.timer);
+    this.timer = window.setTimeout(() => {
+      const range = (each: Range): [number, number] | undefined => (whole ? undefined : [...each]);
+      this.lab.changePage({
+        map_theta1: range(rectangle.theta1),
+        map_theta2: range(rectangle.theta2),
+      });
+      this.compute(true);
+    }, 120);
+    this.lab.tell("time");
+  }
+
+  private put(at: [number, number]): void {
+    this.cross = at;
+    this.say(at);
+    this.lab.change({ state: [...at, 0, 0] });
+    this.lab.clock.play();
+  }
+
+  private say([theta1, theta2]: [number, number]): void {
+    const what = this.whatAt(theta1, theta2);
+    const digits = Math.min(
+      12,
+      Math.max(1, 2 - Math.floor(Math.log10((this.width() * DEGREES) / 100))),
+    );
+    const values = {
+      theta1: fixed(theta1 * DEGREES, digits),
+      theta2: fixed(theta2 * DEGREES, digits),
+    };
+    this.status.textContent = t("map_at", { ...values, what });
+  }
+
+  private width(): number {
+    return this.rectangle.theta1[1] - this.rectangle.theta1[0];
+  }
+
+  private whatAt(theta1: number, theta2: number): string {
+    const { levels } = this.explorer;
+    for (const level of [...levels].reverse()) {
+      const cell = level.cell(theta1, theta2);
+      if (cell < 0 || level.kinds[cell] === WAITS) continue;
+      const kind = level.kinds[cell];
+      if (kind === FORBIDDEN) return t("map_forbidden");
+      if (kind === UNRESOLVED) return t("map_unresolved");
+      if (kind === NEVER) return t("map_never", { time: UNTIL });
+      return t("map_flip", { rod: level.rods[cell], time: shown(level.times[cell], 5) });
+    }
+    return t("map_waits");
+  }
+
+  private key(event: KeyboardEvent): void {
+    const step = (this.width() / 40) * (event.shiftKey ? 0.1 : 1);
+    const moves: Record<string, [number, number]> = {
+      ArrowRight: [step, 0],
+      ArrowLeft: [-step, 0],
+      ArrowUp: [0, step],
+      ArrowDown: [0, -step],
+    };
+    const move = moves[event.key];
+    if (move) {
+      this.cross = [this.cross[0] + move[0], this.cross[1] + move[1]];
+      this.say(this.cross);
+      this.lab.tell("time");
+    } else if (event.key === "+" || event.key === "=") this.zoom(0.5, this.cross);
+    else if (event.key === "-") this.zoom(2, this.cross);
+    else if (event.key === "Enter") this.put(this.cross);
+    else if (event.key === "Home") this.go({ theta1: WHOLE, theta2: WHOLE });
+    else return;
+    event.preventDefault();
+  }
+
+  private describe(): string {
+    const level = this.explorer.last;
+    if (!level || level.done === 0) return t("map_waits");
+    const count = (kind: number) =>
+      shown((100 * level.kinds.filter((each) => each === kind).length) / level.done, 2);
+    const { theta1, theta2 } = level.rectangle;
+    return t("map_text", {
+      low1: fixed(theta1[0] * DEGREES, 1),
+      high1: fixed(theta1[1] * DEGREES, 1),
+      low2: fixed(theta2[0] * DEGREES, 1),
+      high2: fixed(theta2[1] * DEGREES, 1),
+      flipped: count(FLIPS),
+      never: count(NEVER),
+      forbidden: count(FORBIDDEN),
+      time: UNTIL,
+    });
+  }
+
+  figures(): Figure[] {
+    return this.figure ? [this.figure] : [];
+  }
+
+  render(): void {
+    if (this.system !== JSON.stringify(described(this.lab.recipe))) this.make();
+    this.figure?.render();
+  }
+
+  tell(): void {
+    this.figure?.tell();
+  }
+
+  leave(): void {
+    window.clearTimeout(this.timer);
+    this.explorer.leave();
+  }
+}
+
+/** A range inside of the angles there are, as wide as it was where that is possible. */
+function within([low, high]: Range): Range {
+  const width = Math.min(high - low, 2 * Math.PI);
+  const start = Math.min(Math.max(low, -Math.PI), Math.PI - width);
+  return [start, start + width];
+}
+
+function legend(): HTMLElement {
+  const bar = el("canvas", { width: 150, height: 1, "aria-hidden": "true" });
+  const context = bar.getContext("2d")!;
+  for (let x = 0; x < 150; ++x) {
+    const time = 0.3 * (UNTIL / 0.3) ** (x / 149);
+    context.fillStyle = `rgb(${colourOf(time, UNTIL).join(" ")})`;
+    context.fillRect(x, 0, 1, 1);
+  }
+  const entry = (kind: number, text: string) => {
+    const key = el("span", { class: "key" }, text);
+    key.style.setProperty("--shade", `rgb(${SHADES[kind].join(" ")})`);
+    return key;
+  };
+  return el(
+    "div",
+    { class: "legend" },
+    el("span", {}, `${fixed(0.3, 1)} s `, bar, ` ${UNTIL} s`),
+    entry(NEVER, t("map_never", { time: UNTIL })),
+    entry(FORBIDDEN, t("map_forbidden")),
+    entry(UNRESOLVED, t("map_unresolved")),
+  );
+}
