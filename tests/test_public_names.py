@@ -21,6 +21,7 @@ MODULES = {
     "elliptic": ["E", "F", "K", "K_series", "am", "sncndn"],
     "events": ["Crossings", "Event", "angle", "flip", "tip_height", "velocity_zero"],
     "io": ["load", "rerun", "save", "to_pandas", "to_xarray"],
+    "lab": ["Recipe", "read_link"],
     "maps": ["divergence_map", "flip_map"],
     "plot": ["divergence_map", "flip_map", "trajectory", "work_precision"],
     "sampling": ["Choice", "Fixed", "Grid", "Listed", "LogUniform", "SameAs", "Sampler", "Uniform"],

@@ -28,8 +28,8 @@ from pendula import (
 )
 from pendula._messages import ArgumentError, Message, Naming, message_of
 from pendula._rules import refuse
-from pendula.cli.run import span_of, times_apart
 from pendula.events import flip
+from pendula.run._times import span_of, times_apart
 from pendula.run.trust import DigitsError
 
 RODS, SIMPLE = DoublePendulum.rods(gravity=9.81), SimplePendulum(0.5, 9.81)

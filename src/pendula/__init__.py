@@ -38,6 +38,7 @@ _MODULES = (
     "elliptic",
     "events",
     "io",
+    "lab",
     "maps",
     "plot",
     "sampling",

@@ -21,7 +21,8 @@ from pendula.cli.options import (
 )
 from pendula.cli.pictures import language_option
 from pendula.cli.progress import late_bar, work_bar
-from pendula.cli.run import seconds, span_of, start_time
+from pendula.cli.run import seconds, start_time
+from pendula.run._times import span_of
 from pendula.run.options import STANDARD_METHOD
 from pendula.systems import systems_that
 

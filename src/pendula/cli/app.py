@@ -18,9 +18,11 @@ from pendula.cli import (
     animate,
     compare,
     exact,
+    lab,
     map,
     methods,
     period,
+    rerun,
     show,
     solve,
     study,
@@ -58,7 +60,21 @@ def _pendula() -> None:
     """A laboratory for the simple and the double pendulum."""
 
 
-for module in (solve, exact, period, methods, compare, map, sweep, animate, show, study):
+_COMMANDS = (
+    solve,
+    exact,
+    rerun,
+    period,
+    methods,
+    compare,
+    map,
+    sweep,
+    animate,
+    show,
+    lab,
+    study,
+)
+for module in _COMMANDS:
     _pendula.add_command(module.command)
 
 

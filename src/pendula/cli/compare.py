@@ -12,8 +12,9 @@ from pendula.cli.groups import one_each
 from pendula.cli.options import start_of, start_options, system_of, system_options, value
 from pendula.cli.pictures import checked_picture, file_and_picture, write_picture
 from pendula.cli.progress import progress_bar
-from pendula.cli.run import seconds, span_of, start_time
+from pendula.cli.run import seconds, start_time
 from pendula.cli.tables import paragraph, table
+from pendula.run._times import span_of
 from pendula.systems import systems_that
 
 if TYPE_CHECKING:

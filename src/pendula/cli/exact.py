@@ -7,15 +7,8 @@ from typing import TYPE_CHECKING, Any
 from pendula.cli.groups import one_each
 from pendula.cli.naming import renaming
 from pendula.cli.options import start_of, start_options, system_of, system_options, value
-from pendula.cli.run import (
-    deliver,
-    file_options,
-    seconds,
-    span_of,
-    start_time,
-    target,
-    times_apart,
-)
+from pendula.cli.run import deliver, file_options, seconds, start_time, target
+from pendula.run._times import EXACT_INTERVALS, span_of, times_apart
 from pendula.systems import systems_that
 
 if TYPE_CHECKING:
@@ -23,8 +16,6 @@ if TYPE_CHECKING:
 
     from pendula._engine import SystemEntry
     from pendula._types import Array
-
-_INTERVALS = 500  # where no spacing is named
 
 
 def _options(entry: SystemEntry) -> list[click.Parameter]:
@@ -34,7 +25,10 @@ def _options(entry: SystemEntry) -> list[click.Parameter]:
         start_time(),
         value("at", "output times, e.g. 1s,2s, in any order"),
         value("t_max", "end time (instead of --at)"),
-        value("every", f"with --t-max: time between outputs [default: 1/{_INTERVALS} of the span]"),
+        value(
+            "every",
+            f"with --t-max: time between outputs [default: 1/{EXACT_INTERVALS} of the span]",
+        ),
         *file_options(),
     ]
 
@@ -59,7 +53,7 @@ def _times(t0: float, given: dict[str, Any]) -> list[float] | Array:
     if at is not None:
         return quantities(at, "s", "at")
     t_max = seconds(given, "t_max")
-    return times_apart(t0, t_max, seconds(given, "every", span_of(t0, t_max) / _INTERVALS))
+    return times_apart(t0, t_max, seconds(given, "every", span_of(t0, t_max) / EXACT_INTERVALS))
 
 
 command = one_each(

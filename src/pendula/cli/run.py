@@ -12,7 +12,6 @@ from pendula.cli.options import value
 if TYPE_CHECKING:
     from pathlib import Path
 
-    from pendula._types import Array
     from pendula.run.trajectory import Trajectory
 
 _BEYOND = "the numbers grew beyond all bounds"
@@ -45,37 +44,6 @@ def seconds(given: dict[str, Any], name: str, standard: float = 0.0) -> float:
     from pendula.units import quantity
 
     return standard if given[name] is None else quantity(given[name], "s", name)
-
-
-def times_apart(t0: float, t_max: float, every: float) -> Array:
-    """Output times so far apart.
-
-    Raises:
-        ValueError: where that is not positive, longer than the run, or too many of them.
-    """
-    from pendula._checks import positive_number
-    from pendula._engine import MOST_OUTPUTS
-    from pendula._messages import ArgumentError
-    from pendula._rules import broken
-    from pendula.run._times import spaced
-
-    span = span_of(t0, t_max)
-    if positive_number("every", every, "s") > span:
-        raise broken("every", "step_within_span", span=span, value=every)
-    if span / every > MOST_OUTPUTS:
-        rule = "must give at most {most} outputs, got {value} s for {count}"
-        details = {"most": MOST_OUTPUTS, "value": every, "count": span / every}
-        raise ArgumentError("every", rule, "take a longer time between them", **details)
-    return spaced(t0, t_max, every)
-
-
-def span_of(t0: float, t_max: float) -> float:
-    """The time between start and end, which must not be zero."""
-    from pendula._rules import broken
-
-    if t_max == t0:
-        raise broken("t_max", "differs_from_start", t0=t0, value=t_max)
-    return abs(t_max - t0)
 
 
 def target(out: str | None, *, force: bool) -> Path | None:

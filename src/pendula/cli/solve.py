@@ -20,16 +20,8 @@ from pendula.cli.options import (
     value,
 )
 from pendula.cli.progress import late_bar
-from pendula.cli.run import (
-    check_outcome,
-    deliver,
-    file_options,
-    seconds,
-    span_of,
-    start_time,
-    target,
-    times_apart,
-)
+from pendula.cli.run import check_outcome, deliver, file_options, seconds, start_time, target
+from pendula.run._times import span_of, times_apart
 from pendula.run.options import STANDARD_METHOD
 from pendula.systems import systems_that
 

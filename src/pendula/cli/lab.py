@@ -1,0 +1,91 @@
+"""`pendula lab`: the laboratory in the browser, with a run that a file or a link describes."""
+
+from __future__ import annotations
+
+import os
+import sys
+import webbrowser
+from typing import TYPE_CHECKING, Any
+
+import click
+
+if TYPE_CHECKING:
+    from pendula.lab.server import LabServer
+
+
+def _lab(**given: Any) -> None:
+    from pendula.lab.server import LabServer
+
+    fragment = "" if given["start"] is None else _fragment_of(given["start"])
+    if given["export"] is not None:
+        _export(fragment, given)
+        return
+    with LabServer(given["port"]) as server:
+        click.echo(f"{server.url}{fragment}")
+        click.echo("Ctrl-C ends the laboratory", err=True)
+        _serve(server, f"{server.url}{fragment}", open_it=not given["no_browser"])
+
+
+def _fragment_of(start: str) -> str:
+    """The recipe of a file or a link, from the # on."""
+    from pendula.lab.address import is_link
+    from pendula.lab.recipe import Recipe, losses, read_link
+
+    if is_link(start):
+        read_link(start)
+        return f"#{start.strip().partition('#')[2]}"
+    from pendula.cli.shown import held
+    from pendula.io import load
+
+    found = held(start)
+    if found.kind != "trajectory":
+        rule = f"{start} must hold a trajectory to be shown in the laboratory"
+        raise ValueError(f"{rule}, got a file of the kind {found.kind!r}; use pendula show")
+    run = load(start)
+    if lost := losses(run):
+        click.echo(f"{start}: shown without its {' and '.join(lost)}", err=True)
+    return Recipe.of(run).link()
+
+
+def _export(fragment: str, given: dict[str, Any]) -> None:
+    from pendula.lab.export import export
+
+    if given["port"] is not None:
+        raise click.UsageError("--port goes with a server, not with --export")
+    start = export(given["export"], overwrite=given["force"])
+    click.echo(f"{start}{fragment}")
+
+
+def _serve(server: LabServer, url: str, *, open_it: bool) -> None:
+    """Answer until Ctrl-C."""
+    if open_it and _has_windows():
+        webbrowser.open(url)  # the socket listens: what is asked for at once waits
+    server.serve_forever()
+
+
+def _has_windows() -> bool:
+    """Whether a browser has a window to open; elsewhere one in text would take the terminal."""
+    if sys.platform in ("darwin", "win32"):
+        return True
+    return bool(os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY"))
+
+
+command = click.Command(
+    "lab",
+    params=[
+        click.Argument(["start"], required=False, metavar="[FILE|LINK]"),
+        click.Option(
+            ["--port"], type=int, metavar="N", help="port to listen on [default: 8642, or any]"
+        ),
+        click.Option(["--no-browser"], is_flag=True, help="print the address, open no browser"),
+        click.Option(
+            ["--export"],
+            type=click.Path(),
+            metavar="PATH",
+            help="write the page instead: one file (.html), or a folder for any server",
+        ),
+        click.Option(["--force"], is_flag=True, help="replace what --export wrote before"),
+    ],
+    callback=_lab,
+    help="Open the laboratory in the browser, with the run of a FILE or a LINK where one is named.",
+)

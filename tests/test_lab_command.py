@@ -1,0 +1,253 @@
+"""`pendula lab` and `pendula rerun`: files and links, the page opened or exported."""
+
+from __future__ import annotations
+
+import re
+import webbrowser
+from pathlib import Path
+
+import pytest
+
+import pendula
+from commands import Call, interrupted
+from lab_pages import FILES, write_page
+from pendula.lab import page, read_link
+from pendula.lab.server import LabServer
+
+LINK = "#system=simple&length=0.5&state=3,0.1&t_max=2&method=rk4&step=0.01"
+
+
+@pytest.fixture
+def small_page(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    folder = tmp_path / "static"
+    write_page(folder)
+    monkeypatch.setattr(page, "STATIC", folder)
+
+
+@pytest.fixture
+def not_built(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(page, "STATIC", Path("nowhere"))
+
+
+@pytest.fixture
+def opened(monkeypatch: pytest.MonkeyPatch) -> list[str]:
+    """What is opened in a browser; the server ends at once."""
+    urls: list[str] = []
+    monkeypatch.setattr(webbrowser, "open", urls.append)
+    monkeypatch.setattr(LabServer, "serve_forever", lambda self: None)
+    monkeypatch.setenv("DISPLAY", ":0")
+    return urls
+
+
+# ---- rerun ----
+
+
+def test_a_link_is_run_again_into_a_file(call: Call, tmp_path: Path) -> None:
+    """Lab to link to file: the bits of the run in Python."""
+    code, out, err = call(f"rerun 'http://127.0.0.1:8642/{LINK}' -o run.csv")
+    assert (code, err) == (0, "")
+    assert out.startswith("run.csv: 201 times; rk4, step 0.01 s: 200 steps")
+    run = pendula.load(tmp_path / "run.csv")
+    system = pendula.SimplePendulum(length=0.5)
+    wanted = pendula.solve(system, (3.0, 0.1), 2.0, "rk4", step=0.01)
+    assert run.states.tobytes() == wanted.states.tobytes()
+    assert call("rerun run.csv -o again.csv")[0] == 0
+    assert (tmp_path / "again.csv").read_bytes() == (tmp_path / "run.csv").read_bytes()
+
+
+def test_a_run_that_is_repeated_is_shown(call: Call) -> None:
+    code, out, _ = call(f"rerun '{LINK}'")
+    assert code == 0
+    assert "theta [rad]" in out
+
+
+@pytest.mark.parametrize(
+    ("line", "code", "says"),
+    [
+        (f"rerun '{LINK}&lenght=1'", 2, "the link: the simple pendulum's link has no key 'lenght'"),
+        (
+            f"rerun '{LINK.replace('0.01', '5')}'",
+            2,
+            "the link: step must not exceed the span of 2.0 s",
+        ),
+        ("rerun http://127.0.0.1:8642/", 2, "the link: no recipe follows a #"),
+        (f"rerun '{LINK}&max_steps=5'", 1, "rk4 stopped at t = 0.05 s of 2 s with step 0.01 s"),
+        (f"rerun '{LINK}' -o run.txt", 2, "the file name must end in"),
+        ("rerun nothing.csv", 2, "no such file: nothing.csv"),
+        ("rerun", 2, "Missing argument"),
+    ],
+)
+def test_what_cannot_be_run_again_is_told_in_a_line(
+    line: str, code: int, says: str, call: Call
+) -> None:
+    ended, out, err = call(line)
+    assert (ended, out) == (code, "")
+    assert says in err
+    assert err.startswith("pendula: ")
+    assert err.count("\n") == 1
+
+
+# ---- lab ----
+
+
+@pytest.mark.usefixtures("small_page")
+def test_the_page_is_opened(call: Call, opened: list[str]) -> None:
+    code, out, err = call("lab --port 0")
+    assert code == 0
+    assert re.fullmatch(r"http://127\.0\.0\.1:\d+/\n", out)
+    assert opened == [out.strip()]
+    assert err == "Ctrl-C ends the laboratory\n"
+
+
+@pytest.mark.usefixtures("small_page")
+def test_a_link_is_opened_on_this_machine(call: Call, opened: list[str]) -> None:
+    code, out, _ = call(f"lab 'https://example.org/lab.html{LINK}&lang=es'")
+    assert code == 0
+    assert opened == [out.strip()]
+    assert opened[0].startswith("http://127.0.0.1:")
+    assert opened[0].endswith(f"/{LINK}&lang=es")
+
+
+@pytest.mark.usefixtures("small_page")
+def test_a_file_is_opened_as_its_recipe(call: Call, opened: list[str]) -> None:
+    assert call("solve double --method rk4 --step 10ms --t-max 2s -o run.csv")[0] == 0
+    code, _, err = call("lab run.csv --port 0")
+    assert (code, err) == (0, "Ctrl-C ends the laboratory\n")
+    again = read_link(opened[0]).run()
+    assert again.states.tobytes() == pendula.load("run.csv").states.tobytes()
+
+
+@pytest.mark.usefixtures("small_page")
+def test_what_the_page_does_not_show_of_a_file_is_told(call: Call, opened: list[str]) -> None:
+    assert call("solve double --t-max 2s --event 'flip 1' -o run.csv")[0] == 0
+    _, _, err = call("lab run.csv --port 0")
+    assert err.splitlines()[0] == "run.csv: shown without its events"
+    assert "method=taylor" in opened[0]
+
+
+@pytest.mark.usefixtures("small_page")
+@pytest.mark.parametrize("option", ["--no-browser", ""])
+def test_no_browser_is_opened_where_none_is_wanted_or_has_a_window(
+    option: str, call: Call, opened: list[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    if not option:
+        monkeypatch.delenv("DISPLAY")
+        monkeypatch.delenv("WAYLAND_DISPLAY", raising=False)
+        monkeypatch.setattr("sys.platform", "linux")
+    assert call(f"lab --port 0 {option}")[0] == 0
+    assert opened == []
+
+
+@pytest.mark.usefixtures("small_page")
+@pytest.mark.parametrize(
+    ("line", "says"),
+    [
+        ("lab '#system=simple&t_max=1&method=rk5'", "did you mean 'rk4'?"),
+        ("lab '#system=simple&t_max=1&lang=fr'", "the link: lang must be one of en, es"),
+        ("lab nothing.csv", "no such file: nothing.csv"),
+        ("lab run.txt", "the file name must end in"),
+        ("lab --port 70000", "--port must be a whole number from 1 to 65535"),
+        ("lab --port 8000 --export lab.html", "--port goes with a server"),
+    ],
+)
+def test_what_cannot_be_shown_is_told_in_a_line(
+    line: str, says: str, call: Call, opened: list[str]
+) -> None:
+    code, out, err = call(line)
+    assert (code, out, opened) == (2, "", [])
+    assert says in err
+    assert err.count("\n") == 1
+
+
+@pytest.mark.usefixtures("small_page")
+def test_a_file_of_another_kind_is_not_shown(call: Call, opened: list[str]) -> None:
+    line = "solve simple --t-max 1s --event 'velocity-zero 1' --events-file events.json"
+    assert call(line)[0] == 0
+    code, _, err = call("lab events.json")
+    assert (code, opened) == (2, [])
+    assert err == (
+        "pendula: events.json must hold a trajectory to be shown in the laboratory, "
+        "got a file of the kind 'events'; use pendula show\n"
+    )
+
+
+def test_a_port_that_is_taken_is_told(call: Call, small_page: None, opened: list[str]) -> None:
+    with LabServer(0) as server:
+        code, _, err = call(f"lab --port {server.server_port}")
+    assert code == 1
+    assert err.startswith(f"pendula: --port = {server.server_port} cannot be had: ")
+    assert err.endswith("; take another, or leave it out\n")
+
+
+@pytest.mark.usefixtures("not_built")
+@pytest.mark.parametrize("line", ["lab", "lab --export lab.html", "lab --export site"])
+def test_without_a_built_page_one_line_says_what_to_do(line: str, call: Call) -> None:
+    code, out, err = call(line)
+    assert (code, out) == (1, "")
+    assert err.startswith("pendula: the page of the laboratory was not built; in a clone")
+    assert "make lab" in err
+    assert err.count("\n") == 1
+
+
+def test_ctrl_c_ends_the_server(tmp_path: Path) -> None:
+    write_page(tmp_path / "static")
+    code = (
+        "import sys; from pathlib import Path; from pendula.lab import page\n"
+        "page.STATIC = Path('static'); from pendula.cli import main\n"
+        "print('ready', flush=True); sys.exit(main(sys.argv[1:]))"
+    )
+    ended, out, err = interrupted(tmp_path, "lab --no-browser --port 0", 1.5, code)
+    assert ended == 130
+    assert out.startswith("http://127.0.0.1:")
+    assert err == "Ctrl-C ends the laboratory\npendula: interrupted\n"
+
+
+# ---- export ----
+
+
+@pytest.mark.usefixtures("small_page")
+def test_one_file_is_exported(call: Call, tmp_path: Path) -> None:
+    assert call(f"lab '{LINK}' --export class.html") == (0, f"class.html{LINK}\n", "")
+    assert (tmp_path / "class.html").read_bytes() == FILES["lab.html"]
+    code, _, err = call("lab --export class.html")
+    assert code == 2
+    assert "class.html exists" in err
+    assert "--force" in err
+    assert call("lab --export class.html --force")[0] == 0
+
+
+@pytest.mark.usefixtures("small_page")
+def test_a_folder_is_exported(call: Call, tmp_path: Path) -> None:
+    assert call("lab --export site") == (0, "site/index.html\n", "")
+    written = {
+        path.relative_to(tmp_path / "site").as_posix(): path.read_bytes()
+        for path in (tmp_path / "site").rglob("*")
+        if path.is_file()
+    }
+    assert written == {
+        name: data for name, data in FILES.items() if name not in ("lab.html", "assets/notes.md")
+    }
+    assert call("lab --export site")[0] == 2
+    (tmp_path / "site/assets/old.js").touch()
+    assert call("lab --export site --force")[0] == 0
+    assert not (tmp_path / "site/assets/old.js").exists()
+
+
+@pytest.mark.usefixtures("small_page")
+def test_a_folder_with_anything_else_is_never_emptied(call: Call, tmp_path: Path) -> None:
+    (tmp_path / "site").mkdir()
+    (tmp_path / "site/thesis.tex").write_text("years of work")
+    code, _, err = call("lab --export site --force")
+    assert code == 2
+    assert err.startswith("pendula: site holds 'thesis.tex', which is no part of the laboratory")
+    assert (tmp_path / "site/thesis.tex").read_text() == "years of work"
+
+
+@pytest.mark.usefixtures("small_page")
+def test_an_export_that_fails_leaves_nothing(call: Call, tmp_path: Path) -> None:
+    assert call("lab --export nowhere/lab.html")[0] == 2
+    (page.STATIC / "assets/a.js").unlink()
+    (page.STATIC / "assets/a.js").symlink_to(page.STATIC / "gone.js")
+    (page.STATIC / "lab.html").unlink()
+    assert call("lab --export lab.html")[0] == 1
+    assert [each.name for each in tmp_path.iterdir()] == ["static"]
