@@ -1,18 +1,53 @@
-// Two builds of the same page: static files with relative paths, and, in the mode "one-file", a
-// script without modules that a single HTML file can hold.
-import { defineConfig } from "vite";
+// Two builds of the same page: static files with relative paths and, in the mode "one-file", a single
+// HTML file that works from a disk and in a sandboxed frame.
+import { fileURLToPath } from "node:url";
+import { defineConfig, type Plugin } from "vite";
 
-export default defineConfig({
-  base: "./",
-  build: {
-    outDir: "../src/pendula/lab/static",
-    emptyOutDir: true,
-    target: "es2022",
-    assetsInlineLimit: 0,
-    modulePreload: { polyfill: false },
-    reportCompressedSize: false,
-  },
-  worker: { format: "es" },
-  server: { fs: { allow: [".."] } },
-  test: { include: ["tests/**/*.test.ts"], environment: "node" },
-} as Parameters<typeof defineConfig>[0]);
+const here = (path: string) => fileURLToPath(new URL(path, import.meta.url));
+
+/** Puts scripts and styles into the HTML, which becomes the only file. */
+function inOneFile(): Plugin {
+  return {
+    name: "in-one-file",
+    enforce: "post",
+    generateBundle(_, bundle) {
+      const page = bundle["index.html"];
+      if (page?.type !== "asset") throw new Error("no index.html was built");
+      let html = String(page.source);
+      for (const [name, part] of Object.entries(bundle)) {
+        if (part === page) continue;
+        const text = part.type === "chunk" ? part.code : String(part.source);
+        const [tag, put] = name.endsWith(".css")
+          ? [/<link rel="stylesheet"[^>]*>/, `<style>${text}</style>`]
+          : [/<script type="module"[^>]*><\/script>/, inlineScript(text)];
+        html = html.replace(tag, () => put);
+        delete bundle[name];
+      }
+      page.source = html;
+      page.fileName = "lab.html";
+    },
+  };
+}
+
+function inlineScript(code: string): string {
+  return `<script type="module">${code.replaceAll("</script", "<\\/script")}</script>`;
+}
+
+export default defineConfig(({ mode }) => {
+  const alone = mode === "one-file";
+  return {
+    base: "./",
+    assetsInclude: ["**/*.wasm"],
+    resolve: { alias: { "#source": here(`src/source/${alone ? "one_file" : "files"}.ts`) } },
+    plugins: alone ? [inOneFile()] : [],
+    build: {
+      outDir: here("../src/pendula/lab/static"),
+      emptyOutDir: !alone,
+      target: "es2022",
+      assetsInlineLimit: 0,
+      modulePreload: { polyfill: false },
+      reportCompressedSize: false,
+    },
+    worker: { format: "es" },
+  };
+});

@@ -90,10 +90,14 @@ export class App {
       this.stage.element,
       this.transport.element,
       this.readings.element,
-      lab.page.embed ? null : this.panel.element,
-      lab.page.embed ? null : this.tools.element,
     );
-    const beside = lab.page.embed ? null : el("div", { class: "beside card" }, this.views.element);
+    const controls = el(
+      "section",
+      { class: "controls card", "aria-label": t("settings") },
+      this.panel.element,
+      this.tools.element,
+    );
+    const beside = el("div", { class: "beside card" }, this.views.element);
     fill(
       this.root,
       el(
@@ -106,7 +110,7 @@ export class App {
         { class: "lab" },
         header(this),
         this.notice,
-        el("main", { class: "columns" }, stage, beside),
+        el("main", { class: "columns" }, stage, ...(lab.page.embed ? [] : [beside, controls])),
       ),
     );
     this.dirty = true;
@@ -132,7 +136,8 @@ export class App {
 
   /** One line that stays until it is closed; empty: none. */
   say(line: string, link?: HTMLElement): void {
-    if (line === "") return this.notice.replaceChildren();
+    this.notice.replaceChildren();
+    if (line === "") return;
     const close = el(
       "button",
       { type: "button", class: "quiet", onclick: () => this.say("") },
@@ -155,8 +160,8 @@ export class App {
   private address(): void {
     window.clearTimeout(this.addressTimer);
     this.addressTimer = window.setTimeout(() => {
-      if (!this.lab.hidden)
-        history.replaceState(null, "", `#${written(this.lab.recipe, this.lab.page)}`);
+      if (this.lab.hidden) return;
+      history.replaceState(null, "", `#${written(this.lab.recipe, this.lab.page)}`);
     }, 300);
   }
 
@@ -191,6 +196,7 @@ export class App {
     this.dirty = false;
     performance.mark("frame");
     this.tools.follow();
+    this.stage.element.classList.toggle("pair", this.lab.twin !== null);
     this.stage.render();
     this.bobs.follow();
     this.transport.follow();

@@ -1,11 +1,10 @@
 // Begins: reads the address, starts the core, shows the laboratory or says in one line why not.
 
-import wasmUrl from "../../build/wasm/lab.wasm?url";
+import { source } from "#source";
 import { App } from "./app";
 import { el, fill } from "./controls/dom";
 import type { Core } from "./core/api";
 import { openCore } from "./core/pool";
-import CoreWorker from "./core/worker?worker";
 import { parsed } from "./recipe/address";
 import { PRESETS } from "./recipe/presets";
 import type { Page, Recipe } from "./recipe/recipe";
@@ -73,6 +72,6 @@ async function begin(core: Promise<Core>): Promise<void> {
   }
 }
 
-const core = openCore({ module: fetch(wasmUrl), worker: () => new CoreWorker() });
+const core = openCore(source());
 void begin(core);
 window.addEventListener("hashchange", () => location.reload());

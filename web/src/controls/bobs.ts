@@ -108,7 +108,10 @@ export class Bobs {
     if (step === undefined && event.key !== "Home" && event.key !== "End") return;
     event.preventDefault();
     this.lab.clock.pause();
-    if (step === undefined) return this.set(index, event.key === "Home" ? 0 : Math.PI);
+    if (step === undefined) {
+      this.set(index, event.key === "Home" ? 0 : Math.PI);
+      return;
+    }
     const size = event.shiftKey ? step / 10 : step;
     const tenth = Math.round((this.angles()[index] * DEGREES + size) * 10);
     this.set(index, tenth / 10 / DEGREES);

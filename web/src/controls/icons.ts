@@ -6,7 +6,7 @@ const PATHS: Record<string, string> = {
   start: "M6 6h2v12H6zM18.5 6v12L9.5 12z",
   back: "M14.5 6v12L6 12zM16.5 6h2v12h-2z",
   on: "M9.5 6v12l8.5-6zM5.5 6h2v12h-2z",
-  theme: "M12 4a8 8 0 1 0 0 16zM12 4a8 8 0 0 1 0 16",
+  theme: "M12 4a8 8 0 0 0 0 16 8 8 0 0 0 0-16zm0 2a6 6 0 0 1 0 12z",
   plus: "M11 5h2v6h6v2h-6v6h-2v-6H5v-2h6z",
   minus: "M5 11h14v2H5z",
   home: "M12 4 4 11h2.5v8h4v-5h3v5h4v-8H20z",

@@ -11,17 +11,17 @@ export const SHADES: Record<number, Colour> = {
   [UNRESOLVED]: [232, 86, 150],
 };
 
-// Steps of "cividis" (Nuñez, Anderton & Renslow, PLOS ONE 13 (2018) e0199239), seen alike by eyes
-// with and without a colour deficiency; from soon to late.
+// Steps of "viridis" (van der Walt & Smith, 2015), even in lightness and seen alike by most eyes; from
+// soon to late.
 const STEPS: readonly Colour[] = [
-  [254, 232, 56],
-  [216, 193, 87],
-  [173, 158, 110],
-  [135, 131, 120],
-  [104, 108, 115],
-  [73, 85, 110],
-  [30, 62, 111],
-  [0, 40, 92],
+  [253, 231, 37],
+  [160, 218, 57],
+  [74, 193, 109],
+  [31, 161, 135],
+  [39, 127, 142],
+  [54, 92, 141],
+  [70, 50, 127],
+  [68, 1, 84],
 ];
 const SOONEST = 0.3; // s: the lightest
 

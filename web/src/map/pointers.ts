@@ -39,7 +39,10 @@ export class Pointers {
   private drag(event: PointerEvent): void {
     const now = this.at(event);
     const before = this.down.get(event.pointerId);
-    if (!before) return this.hands.over(now.x, now.y);
+    if (!before) {
+      this.hands.over(now.x, now.y);
+      return;
+    }
     const others = [...this.down].filter(([id]) => id !== event.pointerId).map(([, at]) => at);
     this.down.set(event.pointerId, now);
     this.moved += Math.hypot(now.x - before.x, now.y - before.y);

@@ -55,9 +55,10 @@ export class MapView implements View {
   private make(): void {
     const { lab } = this;
     this.system = JSON.stringify(described(lab.recipe));
-    if (!systemOf(lab.recipe).capabilities.mapped) return this.offer();
-    if (!this.figure) this.lay();
-    this.compute(false);
+    if (systemOf(lab.recipe).capabilities.mapped) {
+      if (!this.figure) this.lay();
+      this.compute(false);
+    } else this.offer();
   }
 
   /** For systems without a map: one that has it. */
@@ -360,7 +361,7 @@ function legend(): HTMLElement {
   return el(
     "div",
     { class: "legend" },
-    el("span", {}, `${fixed(0.3, 1)} s `, bar, ` ${UNTIL} s`),
+    el("span", { class: "bar" }, `${fixed(0.3, 1)} s`, bar, `${UNTIL} s`),
     entry(NEVER, t("map_never", { time: UNTIL })),
     entry(FORBIDDEN, t("map_forbidden")),
     entry(UNRESOLVED, t("map_unresolved")),

@@ -42,7 +42,7 @@ export function guess(table: Table): Reading {
   const angle = named < 0 ? (time === 0 ? 1 : 0) : named;
   const name = names[angle] ?? "";
   const largest = table.columns[angle].reduce(
-    (most, value) => (Math.abs(value) > most ? Math.abs(value) : most),
+    (most, value) => Math.max(most, Math.abs(value) || 0),
     0,
   );
   const inDegrees = DEGREES.test(name) || (!RADIANS.test(name) && largest > LARGEST_IN_RADIANS);

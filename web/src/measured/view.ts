@@ -21,8 +21,9 @@ interface Recording {
   reading: Reading;
 }
 
+let kept: Recording | null = null; // it stays when another view is looked at
+
 export class MeasuredView implements View {
-  private static kept: Recording | null = null; // stays when another view is looked at
   readonly element = el("div");
   private readonly wrong = el("p", { class: "wrong", role: "alert" });
   private readonly below = el("div");
@@ -70,7 +71,7 @@ export class MeasuredView implements View {
       const table = tableOf(decoded(bytes));
       const reading = guess(table);
       seriesOf(table, reading);
-      MeasuredView.kept = { name: file.name, table, reading };
+      kept = { name: file.name, table, reading };
     });
     this.show();
   }
@@ -87,13 +88,14 @@ export class MeasuredView implements View {
   }
 
   private show(): void {
-    const { kept } = MeasuredView;
     const { lab } = this;
     this.figure = null;
     lab.measured = null;
-    if (!kept) return fill(this.below);
+    const recording = kept;
+    fill(this.below);
+    if (!recording) return;
     this.attempt(() => {
-      lab.measured = seriesOf(kept.table, kept.reading);
+      lab.measured = seriesOf(recording.table, recording.reading);
     });
     this.figure = new Figure(
       t("data_title"),
@@ -101,17 +103,23 @@ export class MeasuredView implements View {
       () => this.describe(),
       "tall",
     );
-    fill(this.below, this.choices(kept), this.figure.element, this.buttons(), ...command(kept));
+    fill(
+      this.below,
+      this.choices(recording),
+      this.figure.element,
+      this.buttons(),
+      ...command(recording),
+    );
     lab.tell("time");
   }
 
-  private choices(kept: Recording): HTMLElement {
-    const { table, reading } = kept;
+  private choices(recording: Recording): HTMLElement {
+    const { table, reading } = recording;
     const columns = table.columns.map(
       (_, i) => [String(i), table.names[i] || t("data_column", { number: i + 1 })] as const,
     );
     const set = (next: Partial<Reading>) => {
-      kept.reading = { ...kept.reading, ...next };
+      recording.reading = { ...recording.reading, ...next };
       this.show();
     };
     const units = [
@@ -146,7 +154,7 @@ export class MeasuredView implements View {
       lab.change({ state: startOf(lab.measured), t0: 0, t_max: Number(span.toPrecision(6)) });
     };
     const forget = () => {
-      MeasuredView.kept = null;
+      kept = null;
       this.show();
     };
     const single = lab.recipe.state.length === 2;

@@ -82,7 +82,7 @@ function checksum(values: Float64Array): string {
   const bytes = new Uint8Array(shape.length + 8 * values.length);
   bytes.set(shape);
   const view = new DataView(bytes.buffer, shape.length);
-  values.forEach((value, i) => view.setFloat64(8 * i, value, true));
+  for (const [i, value] of values.entries()) view.setFloat64(8 * i, value, true);
   return blake2b(bytes);
 }
 

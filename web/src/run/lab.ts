@@ -193,8 +193,8 @@ export class Lab {
   }
 }
 
-/** Angle that a run may be off by and still be called right on the stage [rad]: half a degree or so. */
-const TRUSTED = 0.01;
+/** Angle that a run may be off by and still be called right, where the recipe names none [rad]: a degree. */
+const TRUSTED = Math.PI / 180;
 
 /** What is left of a division to the nearest whole number. */
 function remainder(value: number, by: number): number {

@@ -16,7 +16,7 @@ export interface Axis {
 const LEFT = 46;
 const BOTTOM = 30;
 const TOP = 8;
-const RIGHT = 10;
+const RIGHT = 14;
 const ANGLE_STEPS = [1, 2, 5, 10, 15, 30, 45, 90, 180, 360, 720, 1440, 3600];
 
 export class Plot {
@@ -65,6 +65,7 @@ export class Plot {
         [at, this.top],
         [at, this.bottom],
       ]);
+      if (this.x.label && at > this.right - 16 - 6 * this.x.label.length) continue;
       s.textAlign = "center";
       s.textBaseline = "top";
       s.fillText(tickText(this.x, value), at, this.bottom + 5);
@@ -90,9 +91,9 @@ export class Plot {
     const { surface: s } = this;
     const colours = theme();
     s.fillStyle = colours.soft;
-    s.textBaseline = "bottom";
+    s.textBaseline = "top";
     s.textAlign = "right";
-    s.fillText(this.x.label, this.right, this.bottom - 3);
+    s.fillText(this.x.label, this.right, this.bottom + 5);
     s.textAlign = "left";
     s.textBaseline = "top";
     s.fillText(this.y.label, this.left + 5, this.top);
@@ -102,7 +103,10 @@ export class Plot {
     const { surface: s } = this;
     s.strokeStyle = colour;
     s.beginPath();
-    points.forEach(([x, y], i) => (i === 0 ? s.moveTo(x, y) : s.lineTo(x, y)));
+    points.forEach(([x, y], i) => {
+      if (i === 0) s.moveTo(x, y);
+      else s.lineTo(x, y);
+    });
     s.stroke();
   }
 

@@ -132,7 +132,10 @@ function pendulum(
   s.lineCap = "round";
   s.lineWidth = ghost ? 2 : bars ? 9 : 2.5;
   s.beginPath();
-  points.forEach(([x, y], i) => (i === 0 ? s.moveTo(x, y) : s.lineTo(x, y)));
+  points.forEach(([x, y], i) => {
+    if (i === 0) s.moveTo(x, y);
+    else s.lineTo(x, y);
+  });
   s.lineJoin = "round";
   s.stroke();
   s.lineCap = "butt";
