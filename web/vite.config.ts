@@ -1,7 +1,8 @@
 // Two builds of the same page: static files with relative paths and, in the mode "one-file", a single
 // HTML file that works from a disk and in a sandboxed frame.
 import { fileURLToPath } from "node:url";
-import { defineConfig, type Plugin } from "vite";
+import type { Plugin } from "vite";
+import { defineConfig } from "vitest/config";
 
 const here = (path: string) => fileURLToPath(new URL(path, import.meta.url));
 
@@ -48,6 +49,8 @@ export default defineConfig(({ mode }) => {
       modulePreload: { polyfill: false },
       reportCompressedSize: false,
     },
-    worker: { format: "es" },
+    // From a disk browsers start no worker that is a module.
+    worker: { format: alone ? "iife" : "es" },
+    test: { include: ["tests/*.test.ts"] },
   };
 });

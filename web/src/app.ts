@@ -129,7 +129,8 @@ export class App {
   private recipeChanged(): void {
     if (this.kind() !== this.made) this.build();
     this.panel.follow();
-    this.say("");
+    const { digits } = this.lab.recipe.options;
+    this.say(digits === undefined ? "" : t("digits_note", { digits }));
     this.address();
     this.dirty = true;
   }

@@ -58,7 +58,7 @@ export function seriesOf(table: Table, reading: Reading): Series {
   if (rows.length < 2) throw new Refused("data_empty");
   for (let i = 1; i < rows.length; ++i) {
     const [before, now] = [table.columns[time][rows[i - 1]], table.columns[time][rows[i]]];
-    if (!(now > before))
+    if (now < before)
       throw new Refused("data_backwards", { line: table.lines[rows[i]], before, now });
   }
   const start = table.columns[time][rows[0]];
@@ -76,6 +76,7 @@ export function seriesOf(table: Table, reading: Reading): Series {
 /** A start for the run beside the recording: the first angle, and its rate of change. */
 export function startOf(series: Series): [number, number] {
   const { t, theta } = series;
-  const last = Math.min(t.length - 1, 4);
-  return [theta[0], (theta[last] - theta[0]) / (t[last] - t[0])];
+  const last = t.findIndex((time, i) => i >= 4 && time > t[0]);
+  const at = last < 0 ? t.length - 1 : last;
+  return [theta[0], t[at] > t[0] ? (theta[at] - theta[0]) / (t[at] - t[0]) : 0];
 }

@@ -20,6 +20,7 @@ export interface Address {
 /** Reads what follows the # of a link; throws `Refused`, naming the key. */
 export function parsed(hash: string): Address {
   const given = entries(hash);
+  if (given.size === 0) throw new Refused("link_empty");
   const name = needed(given, "system");
   const system = systemNamed(name);
   if (!system) {
@@ -155,7 +156,7 @@ export function checked(recipe: Recipe): void {
   if (method === EXACT ? !closed : !row?.systems.includes(system)) {
     const names = catalogue.methods.filter((each) => each.systems.includes(system));
     const choices = [...(closed ? [EXACT] : []), ...names.map((each) => each.name)].join(", ");
-    throw new Refused("link_choice", { key: "method", value: method, choices });
+    throw new Refused("link_method", { system, value: method, choices });
   }
   checkTaken(options, method);
   if (row && !row.adaptive) {

@@ -19,7 +19,7 @@ export class Clock {
   private from = 0;
 
   /**
-   * @param spacing of the grid [s].
+   * @param spacing of the grid [s]; negative where time runs back.
    * @param last place.
    */
   constructor(
@@ -64,7 +64,8 @@ export class Clock {
   tick(ms: number, computed: number): Ticked {
     if (!this.playing) return { place: this.place, waits: false, ended: false };
     this.since += ms;
-    const wanted = this.from + Math.floor((this.since / 1000) * (this.speed / this.spacing) + 1e-9);
+    const wanted =
+      this.from + Math.floor((this.since / 1000) * (this.speed / Math.abs(this.spacing)) + 1e-9);
     const reached = Math.max(0, Math.min(computed, this.last + 1) - 1);
     this.place = Math.max(this.place, Math.min(wanted, reached));
     const ended = this.place >= this.last;

@@ -7,6 +7,14 @@ export const refusals = {
     "“{key}” is no key that the laboratory or this system knows; leave it out.",
     "«{key}» no es una clave que conozcan el laboratorio o este sistema; quítela.",
   ],
+  link_empty: [
+    "Nothing stands behind the #; write #system=simple&t_max=10, say.",
+    "No hay nada tras #; escriba #system=simple&t_max=10, por ejemplo.",
+  ],
+  link_method: [
+    "“method” must be one of {choices} for system={system}; got {value}.",
+    "«method» debe ser uno de {choices} para system={system}; se dio {value}.",
+  ],
   link_twice: ["“{key}” stands twice; leave one out.", "«{key}» aparece dos veces; quite una."],
   link_no_value: ["“{key}” has no value; write {key}=…", "«{key}» no tiene valor; escriba {key}=…"],
   link_needed: ["“{key}” is needed; write {key}=…", "«{key}» es necesario; escriba {key}=…"],

@@ -31,7 +31,6 @@ export const views = {
     "On the separatrix the period is infinite.",
     "En la separatriz el periodo es infinito.",
   ],
-  period_linear: ["linear {linear} s", "lineal {linear} s"],
   trust_always: ["Right to {angle}° until the end.", "Correcto a {angle}° hasta el final."],
   trust_until: ["Right to {angle}° until {horizon} s.", "Correcto a {angle}° hasta {horizon} s."],
   trust_passed: [
@@ -122,7 +121,6 @@ export const views = {
   map_in: ["Zoom in", "Acercar"],
   map_out: ["Zoom out", "Alejar"],
   map_home: ["Whole map", "Mapa completo"],
-  map_stage: ["Start here", "Empezar aquí"],
   map_progress: [
     "{shape} × {shape} cells, {percent} % done",
     "{shape} × {shape} celdas, {percent} % hecho",
