@@ -3,9 +3,10 @@
 # make lint    formatters, linters, types, imports
 # make docs-facts  the generated parts of the documentation
 # make bench   the benchmarks, beside their peers
+# make wasm-bits  the bits of the whole catalogue in WebAssembly, some minutes
 # make lock    renew the locks from pyproject.toml
 .DEFAULT_GOAL := help
-.PHONY: FORCE help study test test-python test-core lint format docs-facts bench stubs lock clean
+.PHONY: FORCE help study test test-python test-core wasm-bits lint format docs-facts bench stubs lock clean
 .DELETE_ON_ERROR:
 SHELL := /bin/sh
 PYTHON ?= python3
@@ -14,6 +15,8 @@ UV := $(FOR_UV) .tools/bin/uv
 BIN := $(CURDIR)/.venv/bin
 CORES := $(shell getconf _NPROCESSORS_ONLN 2>/dev/null || echo 1)
 COMPILED := $(shell find core/include core/src bindings/python -type f) CMakeLists.txt
+FOR_WASM := $(shell find core/include core/src bindings/wasm -type f) scripts/build-wasm
+TO_WASM := PATH="$(BIN):$$PATH" scripts/with-progress "compiling the core for the browser" build/wasm.log scripts/build-wasm
 SOURCES := $(shell find core bindings benchmarks -name '*.hpp' -o -name '*.cpp')
 
 help:
@@ -43,6 +46,20 @@ help:
 .venv/bench: requirements-bench.lock .venv/installed
 	$(UV) pip install -q --require-hashes --no-deps -r requirements-bench.lock
 	@touch $@
+
+# ---- the laboratory's module: the core in WebAssembly, by a compiler from PyPI ----
+.venv/lab: requirements-lab.lock .venv/packages
+	@echo "installing what requirements-lab.lock names into .venv"
+	@$(UV) pip install -q --require-hashes --no-deps -r requirements-lab.lock
+	@touch $@
+
+build/wasm/lab.wasm: .venv/lab $(FOR_WASM)
+	@$(TO_WASM) lab
+
+# it takes minutes to compile: for changes of the arithmetic, not for every `make test`
+wasm-bits: .venv/lab .venv/packages
+	@$(TO_WASM) same_bits
+	@$(BIN)/python scripts/run_wasm.py build/wasm/same_bits.wasm core/tests/same_bits.txt
 
 # ---- the study ----
 study: .venv/installed
@@ -89,6 +106,8 @@ lock: .tools/bin/uv
 	  --extra io --extra report --extra cluster --extra animation --extra fit --group build --group dev pyproject.toml -o requirements.lock
 	$(UV) pip compile -q --upgrade --universal --generate-hashes --no-emit-index-url --no-header --python-version 3.11 \
 	  --group bench -c requirements.lock pyproject.toml -o requirements-bench.lock
+	$(UV) pip compile -q --upgrade --universal --generate-hashes --no-emit-index-url --no-header --python-version 3.11 \
+	  --group lab -c requirements.lock pyproject.toml -o requirements-lab.lock
 
 clean:
 	rm -rf .venv .tools build study dist src/pendula/*.so

@@ -1,11 +1,9 @@
-// One run, a motion on a grid, its balance and derivatives.
+// One run, a motion on a grid, and where its energy goes.
 #include <list>
 #include <ranges>
 
 #include "exchange.hpp"
 #include "pendula/kernels/balance.hpp"
-#include "pendula/kernels/catalog_rows.hpp"
-#include "pendula/kernels/derivatives.hpp"
 #include "pendula/kernels/grid_motion.hpp"
 #include "pendula/kernels/solve.hpp"
 
@@ -80,19 +78,5 @@ PENDULA_EXPORT(balance) {
   answer_with(found.parts);
   answer_with(found.net);
   answer_with(found.net_tails);
-  return 0;
-}
-
-PENDULA_EXPORT(derivatives) {
-  auto from = asked();
-  const auto run = from.request();
-  const auto numbers = from.list();
-  if (const auto wrong = pendula::check_of_doubles(run)) return refused(wrong);
-  const std::vector<pendula::derived_by> columns(numbers.begin(), numbers.end());
-  for (const auto each : columns)
-    if (each >= run.state.size() + run.system.parameters.size()) pendula::wrong_call("derived by what is not there");
-  if (pendula::method_named(run.method)->needs != pendula::facet::analytic)
-    pendula::wrong_call("derivatives come of the Taylor method");
-  answer_with(pendula::derivatives_of(run, run.times, columns, to_the_end).states);
   return 0;
 }

@@ -79,8 +79,9 @@ void grid_motion::of_fixed(std::int64_t first, std::size_t count, std::int64_t s
                                              run_.signed_step());
     double* const y = states + found.count * d;
     grid_walk& walk = walk_before(place.steps);
-    if (walk.go_to(place.steps)) walk.state(place.rest, y);
-    if (walk.steps() != place.steps || !std::all_of(y, y + d, [](double x) { return std::isfinite(x); })) {
+    const bool there = walk.go_to(place.steps);
+    if (there) walk.state(place.rest, y);
+    if (!there || !std::all_of(y, y + d, [](double x) { return std::isfinite(x); })) {
       found.ended = outcome::not_finite;
       break;
     }

@@ -111,12 +111,6 @@ export interface Balance {
   readonly netTails: Float64Array;
 }
 
-/** How a run's states change with what is named. */
-export interface Derivatives {
-  /** (n, d, k). */
-  readonly states: Float64Array;
-}
-
 /** Energies of states (n, d), each (n,) [J]. */
 export interface Energies {
   readonly kinetic: Float64Array;

@@ -12,7 +12,6 @@
 import type {
   Balance,
   Block,
-  Derivatives,
   Energies,
   Ensemble,
   Fault,
@@ -67,9 +66,8 @@ export interface Calls {
   numbers(system: SystemDescription): SystemNumbers;
   /** Where the energy of a run went, at its output times (not own steps). */
   balance(request: RunRequest): Balance;
-  /** Of a run of the Taylor method, at its outputs: by components of the start, from 0, and from d on parameters. */
-  derivatives(request: RunRequest, columns: readonly number[]): Derivatives;
   ensemble(request: EnsembleRequest): Ensemble;
+  /** Of the double pendulum, by the Taylor method. */
   varied(request: VariedRequest): Varied;
   flipCells(request: FlipMapRequest, cells: CellRange): FlipCells;
 }

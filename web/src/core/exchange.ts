@@ -117,7 +117,6 @@ export type FunctionName =
   | "rhs"
   | "numbers"
   | "balance"
-  | "derivatives"
   | "ensemble"
   | "varied"
   | "flip_cells";

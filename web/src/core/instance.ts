@@ -5,7 +5,6 @@ import {
   type Calls,
   type CellRange,
   type Crossings,
-  type Derivatives,
   type Energies,
   type Ensemble,
   type EnsembleRequest,
@@ -33,7 +32,6 @@ const outcomes: readonly Outcome[] = [
   "interrupted",
 ];
 const uses = ["free", "megno", "orthogonal"];
-const taylor = "taylor";
 /** Of the second run of a cell, in parts of the first one's tolerance; and the best tolerance there is. */
 const tighter = 1e-3;
 const bestTolerance = 2 ** -52;
@@ -150,16 +148,6 @@ export class Instance implements Calls {
     return { works, heats, parts, net, netTails };
   }
 
-  derivatives(request: RunRequest, columns: readonly number[]): Derivatives {
-    this.checkNames(request.system, request.method);
-    const most = request.state.length + request.system.parameters.length;
-    if (request.method !== taylor || columns.some((each) => !(each >= 0 && each < most))) {
-      throw new RangeError("derivatives come of the Taylor method, by components and parameters");
-    }
-    const asked = new Writer().request(request, request.times).list(columns);
-    return { states: this.one("derivatives", asked) };
-  }
-
   ensemble(request: EnsembleRequest): Ensemble {
     this.checkNames(request.system, request.method);
     return ensembleOf(this.ask("ensemble", new Writer().ensemble(request)));
@@ -167,6 +155,7 @@ export class Instance implements Calls {
 
   varied(request: VariedRequest): Varied {
     this.checkNames(request.system, request.method);
+    this.checkCan(request.system, "mapped");
     const { use, variations, state } = request;
     const count = variations.length / state.length;
     if (!Number.isInteger(count) || count < 1 || count > state.length) {
