@@ -166,7 +166,7 @@ def test_events_are_shown(call: Call, ending: str) -> None:
 @pytest.mark.parametrize(
     ("line", "told"),
     [
-        ("", "Missing argument 'FILE'"),
+        ("", "Missing argument 'FILE|LINK'"),
         ("none.csv", "no such file: none.csv"),
         ("run.txt", "the file name must end in .csv, .json, .nc, .parquet, .zarr, .toml"),
         ("other.csv", "other.csv was not written by pendula"),

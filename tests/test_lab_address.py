@@ -77,6 +77,8 @@ def test_a_path_is_no_link(tmp_path: Path) -> None:
     numbered.touch()
     assert not is_link(str(numbered))
     assert not is_link("run.csv")
+    assert not is_link("run#2.csv")
+    assert not is_link("#")
     assert is_link("#system=simple&t_max=1")
     assert is_link("http://127.0.0.1:8642/")
 

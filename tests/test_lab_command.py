@@ -61,6 +61,16 @@ def test_a_run_that_is_repeated_is_shown(call: Call) -> None:
     assert "theta [rad]" in out
 
 
+def test_the_run_of_a_link_is_shown_as_that_of_a_file(call: Call) -> None:
+    assert call(f"rerun '{LINK}' -o run.csv")[0] == 0
+    _, of_the_file, _ = call("show run.csv")
+    code, of_the_link, err = call(f"show 'http://127.0.0.1:8642/{LINK}'")
+    assert (code, err) == (0, "")
+    assert of_the_link.startswith("link to a run of SimplePendulum(length=0.5")
+    assert of_the_link.splitlines()[1:] == of_the_file.splitlines()[1:]
+    assert call(f"show '{LINK}&lenght=1'")[0] == 2
+
+
 @pytest.mark.parametrize(
     ("line", "code", "says"),
     [

@@ -11,14 +11,13 @@ import click
 
 from pendula.cli.map_picture import checked_map_picture, look_of, look_options
 from pendula.cli.pictures import picture_options, write_picture
-from pendula.cli.shown import held
+from pendula.cli.shown import Held, held
 from pendula.cli.tables import paragraph, table
 
 if TYPE_CHECKING:
     import xarray as xr
     from matplotlib.figure import Figure
 
-    from pendula.cli.shown import Held
     from pendula.many.sweep import SweepRecipe
     from pendula.run.trajectory import Trajectory
 
@@ -28,8 +27,11 @@ Drawing = Callable[[str], "Figure"] | None  # in a language; None: there is no p
 
 
 def _show(**given: Any) -> None:
+    from pendula.lab.address import is_link
+
     picture = checked_map_picture(given)
-    found = held(given["file"])
+    link = is_link(given["file"])
+    found = Held(given["file"], "", "link", {}) if link else held(given["file"])
     if found.kind != "map" and look_of(given):
         raise click.UsageError(f"--{next(iter(look_of(given)))} goes with a map")
     if given["row"] is not None and found.kind not in ("sweep", "recipe"):
@@ -60,6 +62,14 @@ def _trajectory(found: Held, given: dict[str, Any]) -> Drawing:
         _say(f"{count} exact solutions of {run.system!r}, {run.t.size} times")
         return None
     _say(f"trajectory of {run.system!r}")
+    return _run(run, given)
+
+
+def _link(found: Held, given: dict[str, Any]) -> Drawing:
+    from pendula.lab import read_link
+
+    run = read_link(found.path).run()
+    _say(f"link to a run of {run.system!r}")
     return _run(run, given)
 
 
@@ -263,6 +273,7 @@ def _table(found: Held, given: dict[str, Any]) -> Drawing:
 
 _SHOWN: dict[str, Callable[[Held, dict[str, Any]], Drawing]] = {
     "trajectory": _trajectory,
+    "link": _link,
     "map": _map,
     "sweep": _sweep,
     "recipe": _recipe,
@@ -274,7 +285,7 @@ _SHOWN: dict[str, Callable[[Held, dict[str, Any]], Drawing]] = {
 command = click.Command(
     "show",
     params=[
-        click.Argument(["file"], type=click.Path()),
+        click.Argument(["file"], type=click.Path(), metavar="FILE|LINK"),
         *picture_options("a trajectory, a map or a row of a sweep"),
         *look_options(),
         click.Option(
@@ -284,5 +295,6 @@ command = click.Command(
         click.Option(["--force"], is_flag=True, help="replace the picture if it exists"),
     ],
     callback=_show,
-    help="Show what a FILE holds that pendula wrote, or a recipe, with a plot in the terminal.",
+    help="Show what a FILE holds that pendula wrote, or a recipe, or the run of a LINK of the "
+    "laboratory, with a plot in the terminal.",
 )

@@ -41,7 +41,7 @@ _EXAMPLE = "#system=simple&t_max=10"
 
 def is_link(text: str) -> bool:
     """Whether it is a link rather than the path of a file, which may have a # in its name."""
-    return "://" in text or ("#" in text and not Path(text).exists())
+    return "://" in text or (re.search(r"#\w+=", text) is not None and not Path(text).exists())
 
 
 def entries_of(link: str) -> dict[str, str]:
