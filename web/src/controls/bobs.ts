@@ -11,7 +11,8 @@ import { el } from "./dom";
 
 const DEGREES = 180 / Math.PI;
 const HANDLE = 44; // px, across: what a finger hits
-const THROWN = 90; // ms: how long before letting go a throw is measured
+const THROWN = 90; // ms: over how long a throw is measured
+const HELD = 200; // ms without a movement before letting go: it was not thrown
 const REST = 0.15; // rad/s, below which nothing was thrown
 
 /** Lays handles on the stage; they follow the bobs. */
@@ -126,9 +127,12 @@ export class Bobs {
   private drag(event: PointerEvent): void {
     if (!this.held) return;
     const { index, path } = this.held;
-    const angle = this.angleOf(event, index);
-    path.push({ at: event.timeStamp, angle });
-    this.set(index, angle);
+    // Browsers join the events of a frame into one: a throw is measured by all of them.
+    const events = event.getCoalescedEvents();
+    for (const each of events.length > 0 ? events : [event]) {
+      path.push({ at: each.timeStamp, angle: this.angleOf(each, index) });
+    }
+    this.set(index, path[path.length - 1].angle);
   }
 
   /** The angle towards a pointer, from the pivot or the joint. */
@@ -154,10 +158,10 @@ export class Bobs {
     this.held = null;
     if (path.length === 0) return;
     const last = path[path.length - 1];
-    const recent = path.filter((each) => event.timeStamp - each.at < THROWN);
-    const first = recent[0] ?? last;
-    const rate =
-      last.at > first.at ? (1000 * (last.angle - first.angle)) / (last.at - first.at) : 0;
+    const held = event.timeStamp - last.at > HELD;
+    const first = path.find((each) => last.at - each.at < THROWN && each !== last) ?? path.at(-2);
+    const moved = first !== undefined && !held && last.at > first.at;
+    const rate = moved ? (1000 * (last.angle - first.angle)) / (last.at - first.at) : 0;
     const thrown = Math.abs(rate) > REST;
     if (thrown) this.set(index, last.angle, Number(rate.toPrecision(3)));
     if (thrown || played) this.lab.clock.play();
