@@ -2,7 +2,7 @@
 // one file, from a disk and in a sandboxed frame.
 
 import { execFileSync } from "node:child_process";
-import { existsSync, mkdtempSync, writeFileSync } from "node:fs";
+import { existsSync, mkdtempSync, readFileSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { fileURLToPath, pathToFileURL } from "node:url";
@@ -74,6 +74,44 @@ describe.skipIf(!hasChromium)("files", () => {
     expect(execFileSync(PYTHON, ["-c", AGAIN, path], { encoding: "utf8" })).toContain(
       "reached_end",
     );
+  });
+
+  test("the same numbers at any speed, after pauses, steps and another size of the window", async () => {
+    const recipe = `#${RODS}&t_max=10&method=rk4&step=0.001&lang=en`;
+    const texts = [];
+    for (const speed of ["0.1", "1", "30"]) {
+      const { page } = await lab.open(`${recipe}&speed=${speed}`);
+      await computed(page);
+      await page
+        .getByRole("button", { name: "Pause" })
+        .click({ timeout: 2000 })
+        .catch(() => null);
+      await page.getByRole("button", { name: "A step on" }).click();
+      await page.setViewportSize({ width: 500, height: 700 });
+      await page.getByRole("button", { name: "Play" }).click();
+      await page.waitForTimeout(600);
+      texts.push(readFileSync(await saved(page, "Numbers (CSV)"), "utf8"));
+    }
+    expect(texts[0].length).toBeGreaterThan(1000);
+    expect(texts[1]).toBe(texts[0]);
+    expect(texts[2]).toBe(texts[0]);
+  });
+
+  test("one picture of all figures, as PNG and SVG", async () => {
+    const { page } = await lab.open(`#${RODS}&t_max=10&lang=en`, STILL);
+    await computed(page);
+    const svg = readFileSync(await saved(page, "Picture (SVG)"), "utf8");
+    expect(svg.match(/<title>/g)?.length).toBe(4);
+    const wrong = await page.evaluate(
+      (text) =>
+        new DOMParser().parseFromString(text, "image/svg+xml").querySelector("parsererror")
+          ?.textContent,
+      svg,
+    );
+    expect(wrong).toBeUndefined();
+    await page.keyboard.press("Escape");
+    const png = readFileSync(await saved(page, "Picture (PNG)"));
+    expect(png.subarray(1, 4).toString()).toBe("PNG");
   });
 
   test("from a disk, and in a sandboxed frame", async () => {

@@ -48,10 +48,7 @@ export class App {
     lab.on("recipe", () => this.recipeChanged());
     lab.on("page", () => this.address());
     lab.on("refused", () => this.say(lab.refusal));
-    lab.core.onTrap = () => {
-      this.say(t("core_trapped"));
-      lab.run();
-    };
+    lab.core.onTrap = () => this.say(t("core_trapped"));
     new ResizeObserver(again).observe(root);
     document.addEventListener("visibilitychange", () => {
       this.last = 0;

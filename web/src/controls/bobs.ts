@@ -1,6 +1,7 @@
 // The bobs as handles: dragged with mouse or finger to set the start, thrown when let go in motion,
 // moved by arrow keys, where each change is spoken with its unit.
 
+import { radians } from "../recipe/angles";
 import { isDouble } from "../recipe/recipe";
 import type { Lab } from "../run/lab";
 import { stateAt } from "../run/motion";
@@ -115,7 +116,7 @@ export class Bobs {
     }
     const size = event.shiftKey ? step / 10 : step;
     const tenth = Math.round((this.angles()[index] * DEGREES + size) * 10);
-    this.set(index, tenth / 10 / DEGREES);
+    this.set(index, radians(tenth / 10));
   }
 
   private grasp(event: PointerEvent, index: number): void {

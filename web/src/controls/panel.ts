@@ -3,6 +3,7 @@
 
 import { catalogue, formOf, methodNamed, type ParameterRow, systemNamed } from "../core/catalogue";
 import { checkOption, checkRange } from "../recipe/address";
+import { radians } from "../recipe/angles";
 import {
   EXACT,
   formRowOf,
@@ -70,7 +71,7 @@ export class Panel {
       const factor = angle ? DEGREES : 1;
       const take = (value: number) => {
         const state = [...lab.recipe.state];
-        state[i] = value / factor;
+        state[i] = angle ? radians(value) : value;
         lab.change({ state });
       };
       const field = numberField({

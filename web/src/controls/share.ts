@@ -3,6 +3,7 @@
 import type { App } from "../app";
 import { csvOf } from "../out/csv";
 import { copy, record, save } from "../out/files";
+import { pngOf, svgOf } from "../out/pictures";
 import { written } from "../recipe/address";
 import { inPython } from "../recipe/python";
 import { t } from "../words/language";
@@ -17,7 +18,6 @@ export function shareMenu(app: App): HTMLElement {
   const here = () => location.href.split("#")[0];
   const embed = () =>
     `<iframe src="${here()}#${hash({ embed: true }).replaceAll("&", "&amp;")}" title="Pendula" width="100%" height="560"></iframe>`;
-  const pictures = () => app.figures();
   const menu = unfolds(
     t("share"),
     false,
@@ -28,16 +28,10 @@ export function shareMenu(app: App): HTMLElement {
       const text = await csvOf(lab.core, lab.recipe, lab.motion);
       keep(app, `${name()}.csv`, text, "text/csv");
     }),
-    item("save_png", async () => {
-      for (const [i, figure] of pictures().entries()) {
-        keep(app, `${name()}-${i + 1}.png`, await figure.png(), "image/png");
-      }
-    }),
-    item("save_svg", () => {
-      pictures().forEach((figure, i) => {
-        keep(app, `${name()}-${i + 1}.svg`, figure.svg(), "image/svg+xml");
-      });
-    }),
+    item("save_png", async () =>
+      keep(app, `${name()}.png`, await pngOf(app.figures()), "image/png"),
+    ),
+    item("save_svg", () => keep(app, `${name()}.svg`, svgOf(app.figures()), "image/svg+xml")),
     recording(app, name),
     el("p", { class: "note" }, t("help_text")),
   );
@@ -47,8 +41,8 @@ export function shareMenu(app: App): HTMLElement {
     menu.open = false;
     menu.querySelector("summary")!.focus();
   });
-  document.addEventListener("pointerdown", (event) => {
-    if (!menu.contains(event.target as Node)) menu.open = false;
+  menu.addEventListener("focusout", ({ relatedTarget }) => {
+    if (relatedTarget && !menu.contains(relatedTarget as Node)) menu.open = false;
   });
   return menu;
 }

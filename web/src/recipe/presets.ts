@@ -2,6 +2,7 @@
 
 import { formOf, systemNamed } from "../core/catalogue";
 import type { Key } from "../words/words";
+import { radians } from "./angles";
 import { type Page, parametersOf, type Recipe } from "./recipe";
 
 /** An example. */
@@ -11,8 +12,6 @@ export interface Preset {
   page: Partial<Page>;
   cloud?: boolean;
 }
-
-const radians = (degrees: number): number => (degrees * Math.PI) / 180;
 
 function recipe(
   system: string,

@@ -1,7 +1,7 @@
 // What is on the stage: the recipe, its motion, what is compared with it, and who has to be told.
 
 import type { Core, RunOptions } from "../core/api";
-import { RefusedError } from "../core/api";
+import { RefusedError, TrappedError } from "../core/api";
 import { catalogue } from "../core/catalogue";
 import { sentence } from "../core/fault";
 import type { Series } from "../measured/series";
@@ -140,6 +140,7 @@ export class Lab {
   /** Says what went wrong, unless a run was left on purpose. */
   caught(error: unknown): void {
     if (error instanceof DOMException && error.name === "AbortError") return;
+    if (error instanceof TrappedError) return; // told by the core itself
     this.refusal =
       error instanceof RefusedError
         ? sentence(error.fault, current())

@@ -4,7 +4,7 @@
 import { el, fill, tick } from "../controls/dom";
 import { EXACT, systemOf } from "../recipe/recipe";
 import type { Ghost } from "../run/ghosts";
-import type { Lab } from "../run/lab";
+import { conservative, type Lab } from "../run/lab";
 import { fixed, powerOfTen, t } from "../words/language";
 import type { Key } from "../words/words";
 import { Figure } from "./figure";
@@ -18,29 +18,38 @@ const MOST = 4;
 const LEAST_SHOWN = 1e-17;
 
 export class CompareView implements View {
-  readonly element: HTMLElement;
+  readonly element = el("div");
   private readonly ticks = el("fieldset", { class: "chosen" });
   private readonly table = el("div", { class: "scroll" });
-  private readonly drawn: Figure[];
+  private drawn: Figure[] = [];
+  private system = "";
   private made = "";
+  private told = 0; // ms: when the table was last renewed
 
   constructor(private readonly lab: Lab) {
-    this.drawn = [
-      this.figure("drift", "drift_axis", (ghost) => ghost.drift),
-      this.figure("distance", "distance_axis", (ghost) => ghost.distance),
-    ];
+    this.lay();
+    if (lab.page.compare.length === 0) lab.changePage({ compare: this.first() });
+  }
+
+  /** Makes what depends on the system. */
+  private lay(): void {
+    const { lab } = this;
+    this.system = lab.recipe.system;
+    // Where friction and a drive act the energy changes anyway.
+    const drift = conservative(lab)
+      ? [this.figure("drift", "drift_axis", (ghost) => ghost.drift)]
+      : [];
+    this.drawn = [...drift, this.figure("distance", "distance_axis", (ghost) => ghost.distance)];
     const closed = systemOf(lab.recipe).capabilities.closed_form;
     const reference = closed ? t("exact") : "taylor";
-    this.element = el(
-      "div",
-      {},
+    fill(
+      this.element,
       el("p", { class: "note" }, t("compare_intro", { reference })),
       this.ticks,
       ...this.drawn.map((figure) => figure.element),
       this.table,
     );
     this.choices();
-    if (lab.page.compare.length === 0) lab.changePage({ compare: this.first() });
   }
 
   /** What is compared before a person chooses. */
@@ -121,13 +130,14 @@ export class CompareView implements View {
   private rows(): void {
     const { lab } = this;
     const place = lab.clock.place;
-    const head = el(
-      "tr",
-      {},
-      ...["method", "drift_now", "distance_now", "right_until"].map((key) =>
-        el("th", { scope: "col" }, t(key as Key)),
-      ),
-    );
+    const kept = conservative(lab);
+    const columns: Key[] = [
+      "method",
+      ...(kept ? (["drift_now"] as const) : []),
+      "distance_now",
+      "right_until",
+    ];
+    const head = el("tr", {}, ...columns.map((key) => el("th", { scope: "col" }, t(key))));
     const rows = lab.ghosts.list.map((ghost) => {
       const name = el("th", { scope: "row" }, el("span", { class: "key" }, ghost.method));
       (name.firstChild as HTMLElement).style.setProperty("--shade", theme().methods[ghost.method]);
@@ -136,7 +146,7 @@ export class CompareView implements View {
         "tr",
         {},
         name,
-        el("td", {}, powerOfTen(ghost.drift[at] ?? 0)),
+        kept && el("td", {}, powerOfTen(ghost.drift[at] ?? 0)),
         el("td", {}, `${powerOfTen(ghost.distance[at] ?? 0)} rad`),
         el("td", {}, until(ghost)),
       );
@@ -150,6 +160,7 @@ export class CompareView implements View {
 
   render(): void {
     const { lab } = this;
+    if (this.system !== lab.recipe.system) this.lay();
     if (this.made !== [...lab.methods(), ...lab.page.compare].join()) this.choices();
     for (const figure of this.drawn) figure.render();
     if (!lab.clock.playing || performance.now() - this.told > 250) {
@@ -157,8 +168,6 @@ export class CompareView implements View {
       this.rows();
     }
   }
-
-  private told = 0;
 
   tell(): void {
     for (const figure of this.drawn) figure.tell();

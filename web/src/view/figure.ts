@@ -1,9 +1,8 @@
 // A drawing on the page: a canvas with a title, a text that says what it shows, and the same picture
-// as a file.
+// as SVG.
 
 import { el, fresh } from "../controls/dom";
 import { type Surface, SvgSurface } from "./svg";
-import { theme } from "./theme";
 
 /** How a figure draws itself into a rectangle [CSS pixels]. */
 export type Draw = (surface: Surface, width: number, height: number) => void;
@@ -61,26 +60,15 @@ export class Figure {
     if (this.text.textContent !== text) this.text.textContent = text;
   }
 
-  /** The picture as an SVG file. */
-  svg(): string {
-    const surface = new SvgSurface(this.width || 640, this.height || 400);
-    surface.fillStyle = theme().paper;
-    surface.fillRect(0, 0, this.width || 640, this.height || 400);
-    this.draw(surface, this.width || 640, this.height || 400);
-    return surface.text(`${this.title}. ${this.describe()}`);
+  /** Width and height [CSS pixels]. */
+  get size(): [number, number] {
+    return [this.width || 640, this.height || 400];
   }
 
-  /** The picture as a PNG file, with a ground. */
-  png(): Promise<Blob> {
-    const copy = document.createElement("canvas");
-    copy.width = this.canvas.width;
-    copy.height = this.canvas.height;
-    const context = copy.getContext("2d")!;
-    context.fillStyle = theme().paper;
-    context.fillRect(0, 0, copy.width, copy.height);
-    context.drawImage(this.canvas, 0, 0);
-    return new Promise((done, fail) =>
-      copy.toBlob((blob) => (blob ? done(blob) : fail(new Error("PNG"))), "image/png"),
-    );
+  /** The picture as an SVG file. */
+  svg(): string {
+    const surface = new SvgSurface(...this.size);
+    this.draw(surface, ...this.size);
+    return surface.text(`${this.title} ${this.describe()}`.trim());
   }
 }
