@@ -23,7 +23,7 @@ const STEPS: readonly Colour[] = [
   [70, 50, 127],
   [68, 1, 84],
 ];
-const SOONEST = 0.3; // s: the lightest
+export const SOONEST = 0.3; // s: the lightest
 
 /** The colour of a time [s] to flip, on a logarithmic scale. */
 export function colourOf(time: number, tMax: number): Colour {

@@ -13,7 +13,6 @@ import type { Surface } from "../view/svg";
 import { theme } from "../view/theme";
 import type { View } from "../view/views";
 import { fixed, shown, t } from "../words/language";
-import { colourOf, SHADES } from "./colours";
 import {
   distinct,
   Explorer,
@@ -26,9 +25,10 @@ import {
   UNRESOLVED,
   WAITS,
 } from "./explorer";
+import { legend } from "./legend";
 import { Pointers } from "./pointers";
+import { moved, startAt, WHOLE, zoomed } from "./rectangle";
 
-const WHOLE: Range = [-Math.PI, Math.PI];
 const UNTIL = 20; // s
 const COARSEST = 32; // cells that must be different doubles
 
@@ -103,7 +103,7 @@ export class MapView implements View {
       this.element,
       el("p", { class: "note" }, t("map_intro")),
       this.figure.element,
-      legend(),
+      legend(UNTIL),
       this.status,
       this.progress,
       el("p", { class: "note", id: help }, t("map_keys")),
@@ -186,40 +186,23 @@ export class MapView implements View {
   private angleAt(x: number, y: number): [number, number] {
     const { plot, rectangle } = this;
     if (!plot) return this.middle();
-    const part = (value: number, [low, high]: Range) => low + value * (high - low);
-    return [
-      part((x - plot.left) / (plot.right - plot.left), rectangle.theta1),
-      part((plot.bottom - y) / (plot.bottom - plot.top), rectangle.theta2),
-    ];
+    const across = (x - plot.left) / (plot.right - plot.left);
+    return startAt(rectangle, across, (plot.bottom - y) / (plot.bottom - plot.top));
   }
 
   private middle(): [number, number] {
-    const { theta1, theta2 } = this.rectangle;
-    return [(theta1[0] + theta1[1]) / 2, (theta2[0] + theta2[1]) / 2];
+    return startAt(this.rectangle, 0.5, 0.5);
   }
 
-  private zoom(factor: number, [theta1, theta2]: [number, number]): void {
-    const around = ([low, high]: Range, at: number): Range => [
-      at + (low - at) * factor,
-      at + (high - at) * factor,
-    ];
-    this.go({
-      theta1: within(around(this.rectangle.theta1, theta1)),
-      theta2: within(around(this.rectangle.theta2, theta2)),
-    });
+  private zoom(factor: number, at: [number, number]): void {
+    this.go(zoomed(this.rectangle, factor, at));
   }
 
   private move(dx: number, dy: number): void {
-    const { plot, rectangle } = this;
+    const { plot } = this;
     if (!plot) return;
-    const moved = ([low, high]: Range, part: number): Range => {
-      const by = part * (high - low);
-      return within([low + by, high + by]);
-    };
-    this.go({
-      theta1: moved(rectangle.theta1, -dx / (plot.right - plot.left)),
-      theta2: moved(rectangle.theta2, dy / (plot.bottom - plot.top)),
-    });
+    const [across, up] = [-dx / (plot.right - plot.left), dy / (plot.bottom - plot.top)];
+    this.go(moved(this.rectangle, across, up));
   }
 
   /** Another rectangle, if its cells are different doubles; computed when the hand rests. */
@@ -336,34 +319,4 @@ export class MapView implements View {
     window.clearTimeout(this.timer);
     this.explorer.leave();
   }
-}
-
-/** A range inside of the angles there are, as wide as it was where that is possible. */
-function within([low, high]: Range): Range {
-  const width = Math.min(high - low, 2 * Math.PI);
-  const start = Math.min(Math.max(low, -Math.PI), Math.PI - width);
-  return [start, start + width];
-}
-
-function legend(): HTMLElement {
-  const bar = el("canvas", { width: 150, height: 1, "aria-hidden": "true" });
-  const context = bar.getContext("2d")!;
-  for (let x = 0; x < 150; ++x) {
-    const time = 0.3 * (UNTIL / 0.3) ** (x / 149);
-    context.fillStyle = `rgb(${colourOf(time, UNTIL).join(" ")})`;
-    context.fillRect(x, 0, 1, 1);
-  }
-  const entry = (kind: number, text: string) => {
-    const key = el("span", { class: "key" }, text);
-    key.style.setProperty("--shade", `rgb(${SHADES[kind].join(" ")})`);
-    return key;
-  };
-  return el(
-    "div",
-    { class: "legend" },
-    el("span", { class: "bar" }, `${fixed(0.3, 1)} s`, bar, `${UNTIL} s`),
-    entry(NEVER, t("map_never", { time: UNTIL })),
-    entry(FORBIDDEN, t("map_forbidden")),
-    entry(UNRESOLVED, t("map_unresolved")),
-  );
 }

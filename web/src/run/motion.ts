@@ -5,6 +5,7 @@ import type { Core, GridRequest, Outcome, Run } from "../core/api";
 
 /** States and what follows from them, at the places of a grid. */
 export interface Motion {
+  readonly id: number; // no two motions have the same
   readonly method: string;
   readonly size: number; // components of a state
   readonly places: number; // in all
@@ -20,6 +21,8 @@ export interface Motion {
   steps: number;
 }
 
+let lastId = 0;
+
 /** Room for a motion that is to be computed. */
 export function emptyMotion(
   method: string,
@@ -29,6 +32,7 @@ export function emptyMotion(
   t0: number,
 ): Motion {
   return {
+    id: ++lastId,
     method,
     size,
     places,

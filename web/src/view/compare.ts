@@ -64,9 +64,30 @@ export class CompareView implements View {
   private figure(title: Key, label: Key, values: (ghost: Ghost) => Float64Array): Figure {
     return new Figure(
       t(title),
-      (s, width, height) => this.draw(s, width, height, t(label), values),
+      (s, width, height) => {
+        const plot = this.plot(s, width, height, t(label));
+        plot.upright(this.lab.motion.times[this.lab.clock.place], theme().line);
+      },
       () => this.describe(values),
+      "",
+      {
+        key: () => this.key(),
+        draw: (s, width, height) => this.draw(this.plot(s, width, height, t(label)), values),
+      },
     );
+  }
+
+  /** What the curves depend on. */
+  private key(): string {
+    const ghosts = this.lab.ghosts.list.map(({ motion, method }) => `${method}${motion.id}`);
+    return [...timeSpan(this.lab), ...ghosts].join();
+  }
+
+  private plot(s: Surface, width: number, height: number, label: string): Plot {
+    const [low, high] = timeSpan(this.lab);
+    const x = { low, high, label: "t / s" };
+    const y = { low: LEAST_SHOWN, high: 1e2, label, kind: "logarithmic" as const };
+    return new Plot(s, width, height, x, y);
   }
 
   private choices(): void {
@@ -92,28 +113,17 @@ export class CompareView implements View {
     if (focused >= 0) this.ticks.querySelectorAll("input")[focused]?.focus();
   }
 
-  private draw(
-    s: Surface,
-    width: number,
-    height: number,
-    label: string,
-    values: (ghost: Ghost) => Float64Array,
-  ): void {
+  private draw(plot: Plot, values: (ghost: Ghost) => Float64Array): void {
     const { lab } = this;
-    const [low, high] = timeSpan(lab);
-    const x = { low, high, label: "t / s" };
-    const y = { low: LEAST_SHOWN, high: 1e2, label, kind: "logarithmic" as const };
-    const plot = new Plot(s, width, height, x, y);
     plot.frame();
     plot.clipped(() => {
       for (const ghost of lab.ghosts.list) {
         const { motion } = ghost;
         const of = values(ghost);
-        const [from, to] = placesWithin(motion, [low, high]);
+        const [from, to] = placesWithin(motion, timeSpan(lab));
         const at = (i: number) => [motion.times[i], Math.max(of[i], LEAST_SHOWN)] as const;
-        plot.line(Math.min(to, of.length), at, theme().methods[ghost.method], 1.6, from);
+        plot.line(Math.min(to, of.length), at, theme().methods[ghost.method], 1.6, from, true);
       }
-      plot.upright(lab.motion.times[lab.clock.place], theme().line);
     });
   }
 

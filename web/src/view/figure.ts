@@ -7,7 +7,15 @@ import { type Surface, SvgSurface } from "./svg";
 /** How a figure draws itself into a rectangle [CSS pixels]. */
 export type Draw = (surface: Surface, width: number, height: number) => void;
 
+/** What does not change from frame to frame; drawn again when its key is another. */
+export interface Still {
+  key: () => string;
+  draw: Draw;
+}
+
 export class Figure {
+  private readonly ground = document.createElement("canvas");
+  private groundKey = "";
   readonly element: HTMLElement;
   readonly canvas: HTMLCanvasElement;
   private readonly text: HTMLElement;
@@ -18,12 +26,15 @@ export class Figure {
    * @param title of the figure, shown above it.
    * @param draw its picture.
    * @param describe what it shows now, in a sentence.
+   * @param className of the element.
+   * @param still what is drawn below, and seldom changes.
    */
   constructor(
     readonly title: string,
     private readonly draw: Draw,
     private readonly describe: () => string,
     className = "",
+    private readonly still?: Still,
   ) {
     const id = fresh("text");
     this.canvas = el("canvas", { role: "img", "aria-label": title, "aria-describedby": id });
@@ -51,7 +62,28 @@ export class Figure {
     const context = canvas.getContext("2d")!;
     context.setTransform(ratio, 0, 0, ratio, 0, 0);
     context.clearRect(0, 0, width, height);
+    if (this.still) this.layGround(this.still, context, ratio);
     this.draw(context, width, height);
+  }
+
+  /** Draws what stands still, from a copy where nothing of it has changed. */
+  private layGround(still: Still, context: CanvasRenderingContext2D, ratio: number): void {
+    const { ground, canvas } = this;
+    const key = [
+      still.key(),
+      canvas.width,
+      canvas.height,
+      document.documentElement.dataset.theme,
+    ].join();
+    if (key !== this.groundKey) {
+      this.groundKey = key;
+      ground.width = canvas.width;
+      ground.height = canvas.height;
+      const own = ground.getContext("2d")!;
+      own.setTransform(ratio, 0, 0, ratio, 0, 0);
+      still.draw(own, this.width, this.height);
+    }
+    context.drawImage(ground, 0, 0, this.width, this.height);
   }
 
   /** Renews the text for those who do not see the picture. */
@@ -68,6 +100,7 @@ export class Figure {
   /** The picture as an SVG file. */
   svg(): string {
     const surface = new SvgSurface(...this.size);
+    this.still?.draw(surface, ...this.size);
     this.draw(surface, ...this.size);
     return surface.text(`${this.title} ${this.describe()}`.trim());
   }

@@ -17,7 +17,12 @@ export interface Graph {
   fits: (lab: Lab) => boolean;
   draw: (lab: Lab, s: Surface, width: number, height: number) => void;
   describe: (lab: Lab) => string;
+  /** What of it seldom changes, drawn below. */
+  still?: (lab: Lab, s: Surface, width: number, height: number) => void;
 }
+
+const LONGEST_PATH = 20_000; // places of the tip's path
+const RECENT = 12; // s of a curve that are drawn strongly
 
 export const DEGREES = 180 / Math.PI;
 const WINDOW = 20; // s of a graph over time
@@ -94,39 +99,52 @@ function angleLine(
     [motion.times[i], motion.states[i * motion.size + j] * DEGREES] as const;
   const end = Math.min(to, motion.count);
   plot.surface.globalAlpha = 0.28;
-  plot.line(end, at, colour, 1.3, from);
+  plot.line(end, at, colour, 1.3, from, true);
   plot.surface.globalAlpha = 1;
-  plot.line(Math.min(place + 1, end), at, colour, 1.8, from);
+  plot.line(Math.min(place + 1, end), at, colour, 1.8, from, true);
   if (place < motion.count) plot.dot(...at(place), colour);
 }
 
-function drawPhase(lab: Lab, s: Surface, width: number, height: number): void {
-  const { motion, place } = now(lab);
+/** The axes of the phase portrait, and the place of a state in it. */
+function phase(lab: Lab, s: Surface, width: number, height: number) {
+  const { motion } = now(lab);
   const half = motion.size / 2;
   const all: [number, number] = [0, motion.count];
   const fold = systemOf(lab.recipe).capabilities.periodic && half === 1 && turns(motion);
   const [low, high] = fold ? [-180, 180] : around(span(motion, 0, half, DEGREES, all), 4);
   const speeds = around(span(motion, half, 2 * half, 1, all), 0.2, 0.1);
   const x = { low, high, label: half === 1 ? "θ" : "θ₁, θ₂", kind: "degrees" as const };
-  const y = {
-    low: speeds[0],
-    high: speeds[1],
-    label: half === 1 ? "ω / (rad/s)" : "ω₁, ω₂ / (rad/s)",
-  };
-  const plot = new Plot(s, width, height, x, y);
+  const label = half === 1 ? "ω / (rad/s)" : "ω₁, ω₂ / (rad/s)";
+  const plot = new Plot(s, width, height, x, { low: speeds[0], high: speeds[1], label });
+  const curves = Array.from({ length: half }, (_, j) => {
+    const at = (i: number) => {
+      const angle = motion.states[i * motion.size + j] * DEGREES;
+      return [fold ? folded(angle) : angle, motion.states[i * motion.size + half + j]] as const;
+    };
+    return { at, line: () => broken(at, fold), colour: j === 0 ? theme().accent : theme().second };
+  });
+  return { plot, curves };
+}
+
+/** The whole curve, faintly, with the separatrix. */
+function stillPhase(lab: Lab, s: Surface, width: number, height: number): void {
+  const { plot, curves } = phase(lab, s, width, height);
   plot.frame();
   plot.clipped(() => {
     separatrix(plot, lab);
-    for (let j = 0; j < half; ++j) {
-      const colour = j === 0 ? theme().accent : theme().second;
-      const at = (i: number) => {
-        const angle = motion.states[i * motion.size + j] * DEGREES;
-        return [fold ? folded(angle) : angle, motion.states[i * motion.size + half + j]] as const;
-      };
-      s.globalAlpha = 0.28;
-      plot.line(motion.count, broken(at, fold), colour, 1.2);
-      s.globalAlpha = 1;
-      plot.line(place + 1, broken(at, fold), colour, 1.6);
+    s.globalAlpha = 0.28;
+    for (const { line, colour } of curves) plot.line(lab.motion.count, line(), colour, 1.2);
+    s.globalAlpha = 1;
+  });
+}
+
+function drawPhase(lab: Lab, s: Surface, width: number, height: number): void {
+  const { motion, place } = now(lab);
+  const { plot, curves } = phase(lab, s, width, height);
+  const from = Math.max(0, place - Math.round(RECENT / Math.abs(motion.spacing)));
+  plot.clipped(() => {
+    for (const { at, line, colour } of curves) {
+      plot.line(place + 1, line(), colour, 1.6, from);
       if (motion.count > 0) plot.dot(...at(place), colour);
     }
   });
@@ -217,7 +235,7 @@ function drawPath(lab: Lab, s: Surface, width: number, height: number): void {
   const { size, positions } = motion;
   const at = (i: number) => [positions[(i + 1) * size - 2], positions[(i + 1) * size - 1]] as const;
   plot.clipped(() => {
-    plot.line(place + 1, at, theme().accent, 1.1);
+    plot.line(place + 1, at, theme().accent, 1.1, Math.max(0, place - LONGEST_PATH));
     if (motion.count > 0) plot.dot(...at(place), theme().accent);
   });
 }
@@ -246,6 +264,7 @@ export const GRAPHS: readonly Graph[] = [
     key: "graph_phase",
     fits: () => true,
     draw: drawPhase,
+    still: stillPhase,
     describe: (lab) => t(lab.recipe.system === "simple" ? "phase_text_separatrix" : "phase_text"),
   },
   { key: "graph_energy", fits: () => true, draw: drawEnergy, describe: describeEnergy },

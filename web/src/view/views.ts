@@ -166,6 +166,10 @@ class GraphView implements View {
           (s, width, height) => graph.draw(lab, s, width, height),
           () => graph.describe(lab),
           HEIGHTS[graph.key] ?? "",
+          graph.still && {
+            key: () => `${lab.motion.id} ${lab.motion.count}`,
+            draw: (s, width, height) => graph.still?.(lab, s, width, height),
+          },
         ),
     );
     fill(this.element.lastElementChild!, ...this.drawn.map((figure) => figure.element));
