@@ -72,10 +72,10 @@ PENDULA_EXPORT(flip_cells) {
     each = pendula::cell_centres(lo, hi, count, start, stop);
   }
   if (const auto wrong = pendula::check(cells.system)) return refused(wrong);
-  if (!pendula::system_named(cells.system.name)->can.mapped)
-    pendula::wrong_call("no maps are made of this system");
+  if (!pendula::system_named(cells.system.name)->can.mapped) pendula::wrong_call("no maps are made of this system");
   const auto alone = pendula::caller_alone();
-  const auto found = pendula::find_flips(cells, centres[0], centres[1], *alone, to_the_end);
+  const auto starts = pendula::cell_starts(centres[0], centres[1]);
+  const auto found = pendula::find_flips(cells, starts, *alone, to_the_end);
   if (found.refused) return refused(found.refused);
   answer_with(centres[0]);
   answer_with(centres[1]);

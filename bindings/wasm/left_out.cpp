@@ -10,10 +10,10 @@ extern const derivative_kernel derivative_runs;
 const derivative_kernel derivative_runs{nullptr};
 }  // namespace plain
 
-#define PENDULA_LEFT_OUT(name)                                                                                        \
-  bool name(const double*, const double*, std::span<const double>, double, std::span<const derived_by>, double*,      \
-            const watcher&) {                                                                                         \
-    __builtin_trap();                                                                                                 \
+#define PENDULA_LEFT_OUT(name)                                                                                   \
+  bool name(const double*, const double*, std::span<const double>, double, std::span<const derived_by>, double*, \
+            const watcher&) {                                                                                    \
+    __builtin_trap();                                                                                            \
   }
 PENDULA_LEFT_OUT(derivatives_of_linear)
 PENDULA_LEFT_OUT(derivatives_of_simple)

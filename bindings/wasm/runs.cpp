@@ -21,10 +21,11 @@ struct known_motion {
 // The last motions that were asked for, the latest first.
 pendula::grid_motion& motion_of(std::span<const double> asked, const pendula::request& run, double spacing) {
   static std::list<known_motion> known;
-  const auto found = std::ranges::find_if(
-      known, [&](const known_motion& each) { return std::ranges::equal(each.asked, asked, [](double a, double b) {
-                                               return a == b || (a != a && b != b);  // NaN: an option not given
-                                             }); });
+  const auto found = std::ranges::find_if(known, [&](const known_motion& each) {
+    return std::ranges::equal(each.asked, asked, [](double a, double b) {
+      return a == b || (a != a && b != b);  // NaN: an option not given
+    });
+  });
   if (found != known.end()) {
     known.splice(known.begin(), known, found);
   } else {

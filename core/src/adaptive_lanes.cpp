@@ -15,8 +15,7 @@ using namespace pendula;
 constexpr int width = lanes_of_machine == 8 ? 16 : lanes_of_machine;
 using S = pack<double, width>;
 // AVX2's lanes do for DOP853, which takes as long to compile as all the rest.
-using methods_through_lanes =
-    std::conditional_t<lanes_of_machine == 8, std::tuple<taylor>, adaptive_methods_in_lanes>;
+using methods_through_lanes = std::conditional_t<lanes_of_machine == 8, std::tuple<taylor>, adaptive_methods_in_lanes>;
 
 static_assert(no_more_work == no_trajectory);
 

@@ -13,25 +13,12 @@ namespace pendula {
 namespace {
 
 constexpr double pi = 3.141592653589793, rest_of_pi = 1.2246467991473532e-16;
-constexpr double tighter = 1e-3;      // the second run's tolerance, in parts of the first one's
-constexpr double agreement = 1e-4;    // of two flip times, in parts of them; of two angles at the end [rad]
-constexpr double undecided = 1e-12;   // of the energy: nearer to the least that a flip needs, the run decides
+constexpr double undecided = 1e-12;  // of the energy: nearer to the least that a flip needs, the run decides
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t dimension = 4;
 
-// States at rest, of a cell and its mirror image the one with the first angle above 0, or that at 0 and the second above.
-std::vector<double> starts_of(std::span<const double> theta1, std::span<const double> theta2) {
-  std::vector<double> states;
-  states.reserve(dimension * theta1.size() * theta2.size());
-  for (const double first : theta1)
-    for (const double second : theta2) {
-      const bool image = first < 0.0 || (first == 0.0 && second < 0.0);
-      states.insert(states.end(), {image ? -first : first, image ? -second : second, 0.0, 0.0});
-    }
-  return states;
-}
-
-std::vector<double> energies_at_rest(const system_description& system, std::vector<double> states) {
+std::vector<double> energies_at_rest(const system_description& system, std::span<const double> given) {
+  std::vector<double> states(given.begin(), given.end());
   const std::size_t count = states.size() / dimension;
   for (std::size_t i = 0; i < count; ++i)
     for (std::size_t j = 0; j < 2; ++j) {
@@ -44,7 +31,7 @@ std::vector<double> energies_at_rest(const system_description& system, std::vect
 }
 
 // Where the energy of a start from rest is less than any flip asked for needs.
-std::vector<std::uint8_t> forbidden_of(const flips_asked& asked, const std::vector<double>& starts) {
+std::vector<std::uint8_t> forbidden_of(const flips_asked& asked, std::span<const double> starts) {
   std::vector<double> tops;
   if (asked.which != 2) tops.insert(tops.end(), {pi, 0.0, 0.0, 0.0});
   if (asked.which != 1) tops.insert(tops.end(), {0.0, pi, 0.0, 0.0});
@@ -71,10 +58,10 @@ request request_of(const flips_asked& asked, double tolerance) {
 }
 
 // Of the starts that are allowed; a fault, or false where `watch` ended it, stands in `to`.
-first_flips run_cells(const request& run, const std::vector<double>& starts, const flip_cells& cells, pool& workers,
-                      const watcher& watch, flip_cells& to) {
+first_flips run_cells(const request& run, std::span<const double> starts, const flips_found& cells, pool& workers,
+                      const watcher& watch, flips_found& to) {
   const std::size_t count = cells.forbidden.size();
-  first_flips found{std::vector<double>(count, nan), starts, std::vector<std::uint8_t>(count)};
+  first_flips found{std::vector<double>(count, nan), {starts.begin(), starts.end()}, std::vector<std::uint8_t>(count)};
   std::vector<std::size_t> places;
   std::vector<double> allowed;
   for (std::size_t i = 0; i < count; ++i)
@@ -105,9 +92,9 @@ first_flips run_cells(const request& run, const std::vector<double>& starts, con
 
 bool agree(const first_flips& a, const first_flips& b, std::size_t i) {
   if (a.rod[i] != b.rod[i]) return false;
-  if (a.rod[i] != 0) return std::fabs(a.time[i] - b.time[i]) <= agreement * a.time[i];
+  if (a.rod[i] != 0) return std::fabs(a.time[i] - b.time[i]) <= flip_agreement * a.time[i];
   const double *const ours = a.end.data() + dimension * i, *const theirs = b.end.data() + dimension * i;
-  return std::fabs(ours[0] - theirs[0]) <= agreement && std::fabs(ours[1] - theirs[1]) <= agreement;
+  return std::fabs(ours[0] - theirs[0]) <= flip_agreement && std::fabs(ours[1] - theirs[1]) <= flip_agreement;
 }
 
 }  // namespace
@@ -120,15 +107,24 @@ std::vector<double> cell_centres(double lo, double hi, std::int64_t count, std::
   return centres;
 }
 
-flip_cells find_flips(const flips_asked& asked, std::span<const double> theta1, std::span<const double> theta2,
-                      pool& workers, const watcher& watch) {
-  flip_cells cells;
-  const auto starts = starts_of(theta1, theta2);
+std::vector<double> cell_starts(std::span<const double> theta1, std::span<const double> theta2) {
+  std::vector<double> states;
+  states.reserve(dimension * theta1.size() * theta2.size());
+  for (const double first : theta1)
+    for (const double second : theta2) {
+      const bool image = first < 0.0 || (first == 0.0 && second < 0.0);
+      states.insert(states.end(), {image ? -first : first, image ? -second : second, 0.0, 0.0});
+    }
+  return states;
+}
+
+flips_found find_flips(const flips_asked& asked, std::span<const double> starts, pool& workers, const watcher& watch) {
+  flips_found cells;
   cells.forbidden = forbidden_of(asked, starts);
   const double share = asked.resolve ? 0.4 : 1.0;  // of the work: the second run takes smaller steps
   auto flips = run_cells(request_of(asked, asked.tolerance), starts, cells, workers, part_of(watch, 0.0, share), cells);
   if (asked.resolve && !cells.refused && !cells.interrupted) {
-    const auto again = run_cells(request_of(asked, tighter * asked.tolerance), starts, cells, workers,
+    const auto again = run_cells(request_of(asked, second_run_tolerance * asked.tolerance), starts, cells, workers,
                                  part_of(watch, share, 1.0), cells);
     for (std::size_t i = 0; i < cells.forbidden.size(); ++i)
       cells.resolved.push_back(cells.forbidden[i] || agree(flips, again, i));

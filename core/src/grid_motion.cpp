@@ -75,8 +75,8 @@ void grid_motion::keep(const grid_walk& walk) {
 void grid_motion::of_fixed(std::int64_t first, std::size_t count, std::int64_t stride, double* states, part& found) {
   const std::size_t d = run_.state.size();
   for (; found.count < count; ++found.count) {
-    const fixed_output place = place_on_grid(time(first + static_cast<std::int64_t>(found.count) * stride), run_.t0,
-                                             run_.signed_step());
+    const fixed_output place =
+        place_on_grid(time(first + static_cast<std::int64_t>(found.count) * stride), run_.t0, run_.signed_step());
     double* const y = states + found.count * d;
     grid_walk& walk = walk_before(place.steps);
     const bool there = walk.go_to(place.steps);

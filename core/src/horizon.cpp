@@ -117,8 +117,8 @@ std::optional<double> trust_horizon(const request& asked, double reached, outcom
   const auto beside = best_shadow_maker().make(made);
   const poll go_on = throttled(watch, asked.t0, reached - asked.t0);
   detector diverging(*beside, asked.state.size() / 2, *asked.options.certify, made.direction(), go_on);
-  const auto found = asked.options.step ? grid_checker(made, diverging, go_on).horizon()
-                                        : of_adaptive(made, diverging, go_on);
+  const auto found =
+      asked.options.step ? grid_checker(made, diverging, go_on).horizon() : of_adaptive(made, diverging, go_on);
   return found && std::isinf(*found) ? beyond : found;
 }
 

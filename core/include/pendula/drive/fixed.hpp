@@ -69,8 +69,8 @@ class fixed_run {
     return results_;
   }
 
-  // For one trajectory that goes on as often as it is asked: to so many steps on the grid in all, no fewer than it took;
-  // false where its numbers are not finite.
+  // For one trajectory that goes on as often as it is asked: to so many steps on the grid in all, no fewer than it
+  // took; false where its numbers are not finite.
   bool go_to(std::int64_t steps) {
     while (steps_ < steps && lane_of(finite<S>(head_of(at_)), 0)) steps_ += take_steps(at_, S(step_), steps - steps_);
     return lane_of(finite<S>(head_of(at_)), 0);

@@ -11,8 +11,8 @@
 
 namespace pendula {
 
-// Each state has the bits that `solve` gives as an output at that time, however the grid is asked for. What was computed
-// is gone on from; what lies before is reached from one of the places that were kept on the way.
+// Each state has the bits that `solve` gives as an output at that time, however the grid is asked for. What was
+// computed is gone on from; what lies before is reached from one of the places that were kept on the way.
 class grid_motion {
  public:
   // Of the request's own times none is looked at, nor its events, its step limit and `certify`.
