@@ -14,8 +14,8 @@ if TYPE_CHECKING:
     from pathlib import Path
 
 FILES = {
-    "index.html": b'<!doctype html><script type="module" src="./assets/a.js"></script>',
-    "lab.html": b"<!doctype html>all in one",
+    "index.html": b'<head><script type="module" src="./assets/a.js"></script></head>',
+    "lab.html": b'<head><script type="module">f()</script>\n<style>a{}\nb{}</style></head>\r\n',
     "assets/a.js": b"console.log(1)",
     "assets/a.css": b"body{}",
     "assets/core.wasm": b"\0asm\1\0\0\0",

@@ -24,6 +24,11 @@ CASES = json.loads((Path(__file__).parent / "data/addresses.json").read_text(enc
 RODS = pendula.DoublePendulum.rods(m1=0.1, m2=1.0 / 3.0)
 SIMPLE = pendula.SimplePendulum(length=0.5)
 DRIVEN = pendula.DrivenPendulum.bob(viscous=0.1, torque=-0.0, drive_frequency=2.0 / 3.0)
+SIDEWAYS = pendula.DrivenPendulum.bob(
+    pivot_amplitude=0.1,
+    pivot_frequency=9.0,
+    pivot_direction=0.0,  # a zero that is not standard
+)
 BODIES = pendula.DampedDoublePendulum.bodies(1, 1, 1, 0.5, 0.5, 0.1, 0.1, viscous=(0.1, 0.0))
 FRICTION = pendula.LinearPendulum(viscous=0.2, torque=0.1, drive_frequency=3.0)
 
@@ -72,6 +77,11 @@ def test_every_page_that_a_link_is_on_gives_the_same_recipe() -> None:
     assert read_link(f" {fragment}\n") == bare
 
 
+@pytest.mark.parametrize("link", [None, 1, Path("run.csv"), b"#system=simple&t_max=1"])
+def test_a_link_is_text(link: Any) -> None:
+    assert told(lambda: read_link(link)).startswith(f"the link: must be text, got {link!r}; write")
+
+
 def test_a_path_is_no_link(tmp_path: Path) -> None:
     numbered = tmp_path / "run#1.csv"
     numbered.touch()
@@ -112,6 +122,7 @@ RUNS = [
     (SIMPLE, (3.0, 0.1), -3.0, "yoshida6", {"step": 0.01, "t0": 1.5}),
     (SIMPLE, (3.0, 0.1), 10.0, "taylor", {"max_steps": 20}),
     (DRIVEN, (1.0 / 3.0, 0.0), 5.0, "taylor", {}),
+    (SIDEWAYS, (1.0, 0.0), 5.0, "taylor", {}),
     (BODIES, (1.0, 0.0, 0.0, 0.0), 2.0, "rk4", {"step": 0.01}),
     (FRICTION, (1.0, 0.0), 2.0, "heun", {"step": 0.01}),
 ]

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import base64
+import hashlib
 import re
 import webbrowser
 from pathlib import Path
@@ -215,10 +217,25 @@ def test_ctrl_c_ends_the_server(tmp_path: Path) -> None:
 # ---- export ----
 
 
+def policy_and_page(path: Path) -> tuple[str, bytes]:
+    """The policy that an export has put into its page, and the page without it."""
+    html = path.read_bytes()
+    found = re.search(rb'\n    <meta http-equiv="Content-Security-Policy" content="(.*)" />', html)
+    assert found is not None
+    assert html[: found.start()].endswith(b"<head>")
+    return found[1].decode(), html.replace(found[0], b"")
+
+
 @pytest.mark.usefixtures("small_page")
 def test_one_file_is_exported(call: Call, tmp_path: Path) -> None:
     assert call(f"lab '{LINK}' --export class.html") == (0, f"class.html{LINK}\n", "")
-    assert (tmp_path / "class.html").read_bytes() == FILES["lab.html"]
+    policy, html = policy_and_page(tmp_path / "class.html")
+    assert html == FILES["lab.html"]
+    for text in (b"f()", b"a{}\nb{}"):
+        digest = base64.b64encode(hashlib.sha256(text).digest()).decode()
+        assert f"'sha256-{digest}'" in policy
+    assert "script-src 'self'" not in policy
+    assert "unsafe-inline" not in policy
     code, _, err = call("lab --export class.html")
     assert code == 2
     assert "class.html exists" in err
@@ -234,6 +251,8 @@ def test_a_folder_is_exported(call: Call, tmp_path: Path) -> None:
         for path in (tmp_path / "site").rglob("*")
         if path.is_file()
     }
+    policy, written["index.html"] = policy_and_page(tmp_path / "site/index.html")
+    assert "script-src 'self' 'wasm-unsafe-eval'" in policy
     assert written == {
         name: data for name, data in FILES.items() if name not in ("lab.html", "assets/notes.md")
     }

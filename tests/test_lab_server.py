@@ -110,11 +110,14 @@ def test_this_machine_alone_is_listened_to() -> None:
 def test_a_connection_stays_open_for_the_next_file() -> None:
     with serving() as server:
         connection = HTTPConnection("127.0.0.1", server.server_port, timeout=10)
-        bodies = []
+        bodies, lines = [], set()
         for path in ("/", "/assets/a.js"):
             connection.request("GET", path)
             bodies.append(connection.getresponse().read())
+            lines.add(connection.sock)
         connection.close()
+    assert len(lines) == 1
+    assert None not in lines
     assert bodies == [FILES["index.html"], FILES["assets/a.js"]]
 
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 import sys
-import webbrowser
 from typing import TYPE_CHECKING, Any
 
 import click
@@ -58,6 +57,8 @@ def _export(fragment: str, given: dict[str, Any]) -> None:
 
 def _serve(server: LabServer, url: str, *, open_it: bool) -> None:
     """Answer until Ctrl-C."""
+    import webbrowser
+
     if open_it and _has_windows():
         webbrowser.open(url)  # the socket listens: what is asked for at once waits
     server.serve_forever()

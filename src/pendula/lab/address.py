@@ -50,6 +50,8 @@ def entries_of(link: str) -> dict[str, str]:
     Raises:
         ArgumentError: where there are none, or one is no pair, or stands twice.
     """
+    if not isinstance(link, str):
+        raise ArgumentError("", "must be text, got {value}", _WRITE, text=_EXAMPLE, value=link)
     _, mark, fragment = link.strip().partition("#")
     if not mark or not fragment:
         rule = "no recipe follows a #, got {value}"

@@ -23,6 +23,29 @@ MIME_TYPES = {  # the system's own table may lack WebAssembly, or be wrong
 }
 
 
+def policy(own: str, *more: str) -> str:
+    """The content security policy of the page, which lets it load from nowhere else.
+
+    Args:
+        own: where its scripts and styles come from: 'self', or the hashes of those within it.
+        *more: other directives.
+    """
+    return "; ".join(
+        (
+            "default-src 'none'",
+            f"script-src {own} 'wasm-unsafe-eval'",  # WebAssembly is compiled, no text is run
+            f"style-src {own}",
+            "img-src 'self' data: blob:",
+            "media-src blob:",  # a video that was recorded
+            "connect-src 'self'",
+            "worker-src 'self' blob:",  # in one file the workers' script is within it, too
+            "base-uri 'none'",
+            "form-action 'none'",
+            *more,
+        )
+    )
+
+
 def page_files() -> dict[str, Path]:
     """The files of the page by their paths with /, without the page in one file.
 

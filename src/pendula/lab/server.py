@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 from urllib.parse import urlsplit
 
 from pendula._messages import ArgumentError, Message
-from pendula.lab.page import MIME_TYPES, START, page_files
+from pendula.lab.page import MIME_TYPES, START, page_files, policy
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -18,25 +18,9 @@ if TYPE_CHECKING:
 ADDRESS = "127.0.0.1"
 USUAL_PORT = 8642  # so that a page that was left open finds its server again
 _LARGEST_PORT = 65535
-_POLICY = "; ".join(
-    (
-        "default-src 'none'",
-        "script-src 'self' 'wasm-unsafe-eval'",  # WebAssembly is compiled, no text is run
-        "style-src 'self'",
-        "img-src 'self' data: blob:",
-        "media-src 'self' blob:",
-        "font-src 'self'",
-        "connect-src 'self'",
-        "worker-src 'self'",
-        "manifest-src 'self'",
-        "base-uri 'none'",
-        "form-action 'none'",
-        "frame-ancestors 'self'",
-    )
-)
 _HEADERS = {
     "Cache-Control": "no-cache",
-    "Content-Security-Policy": _POLICY,
+    "Content-Security-Policy": policy("'self'", "frame-ancestors 'self'"),
     "Cross-Origin-Resource-Policy": "same-origin",
     "Referrer-Policy": "no-referrer",
     "X-Content-Type-Options": "nosniff",
