@@ -12,22 +12,12 @@ import { Plot } from "../view/plot";
 import type { Surface } from "../view/svg";
 import { theme } from "../view/theme";
 import type { View } from "../view/views";
-import { fixed, shown, t } from "../words/language";
-import {
-  distinct,
-  Explorer,
-  FLIPS,
-  FORBIDDEN,
-  type Level,
-  NEVER,
-  type Range,
-  type Rectangle,
-  UNRESOLVED,
-  WAITS,
-} from "./explorer";
+import { fixed, t } from "../words/language";
+import { distinct, Explorer, type Level, type Range, type Rectangle } from "./explorer";
 import { legend } from "./legend";
 import { Pointers } from "./pointers";
 import { moved, startAt, WHOLE, zoomed } from "./rectangle";
+import { inWords, whatAt } from "./telling";
 
 const UNTIL = 20; // s
 const COARSEST = 32; // cells that must be different doubles
@@ -76,7 +66,7 @@ export class MapView implements View {
     this.figure = new Figure(
       t("map_title"),
       (s, width, height) => this.draw(s, width, height),
-      () => this.describe(),
+      () => inWords(this.explorer.last, UNTIL),
       "map",
     );
     const help = fresh("help");
@@ -233,7 +223,7 @@ export class MapView implements View {
   }
 
   private say([theta1, theta2]: [number, number]): void {
-    const what = this.whatAt(theta1, theta2);
+    const what = whatAt(this.explorer.levels, [theta1, theta2], UNTIL);
     const digits = Math.min(
       12,
       Math.max(1, 2 - Math.floor(Math.log10((this.width() * DEGREES) / 100))),
@@ -247,20 +237,6 @@ export class MapView implements View {
 
   private width(): number {
     return this.rectangle.theta1[1] - this.rectangle.theta1[0];
-  }
-
-  private whatAt(theta1: number, theta2: number): string {
-    const { levels } = this.explorer;
-    for (const level of [...levels].reverse()) {
-      const cell = level.cell(theta1, theta2);
-      if (cell < 0 || level.kinds[cell] === WAITS) continue;
-      const kind = level.kinds[cell];
-      if (kind === FORBIDDEN) return t("map_forbidden");
-      if (kind === UNRESOLVED) return t("map_unresolved");
-      if (kind === NEVER) return t("map_never", { time: UNTIL });
-      return t("map_flip", { rod: level.rods[cell], time: shown(level.times[cell], 5) });
-    }
-    return t("map_waits");
   }
 
   private key(event: KeyboardEvent): void {
@@ -282,24 +258,6 @@ export class MapView implements View {
     else if (event.key === "Home") this.go({ theta1: WHOLE, theta2: WHOLE });
     else return;
     event.preventDefault();
-  }
-
-  private describe(): string {
-    const level = this.explorer.last;
-    if (!level || level.done === 0) return t("map_waits");
-    const count = (kind: number) =>
-      shown((100 * level.kinds.filter((each) => each === kind).length) / level.done, 2);
-    const { theta1, theta2 } = level.rectangle;
-    return t("map_text", {
-      low1: fixed(theta1[0] * DEGREES, 1),
-      high1: fixed(theta1[1] * DEGREES, 1),
-      low2: fixed(theta2[0] * DEGREES, 1),
-      high2: fixed(theta2[1] * DEGREES, 1),
-      flipped: count(FLIPS),
-      never: count(NEVER),
-      forbidden: count(FORBIDDEN),
-      time: UNTIL,
-    });
   }
 
   figures(): Figure[] {
