@@ -18,7 +18,8 @@ import {
   STILL,
 } from "./laboratory";
 
-const PYTHON = fileURLToPath(new URL("../../.venv/bin/python", import.meta.url));
+const PYTHON =
+  process.env.PENDULA_PYTHON ?? fileURLToPath(new URL("../../.venv/bin/python", import.meta.url));
 const folder = mkdtempSync(join(tmpdir(), "pendula-lab-"));
 
 // Exits with 1 where a column of the file has other bits than the run made again.

@@ -5,7 +5,7 @@ import { Cloud } from "../run/cloud";
 import type { Lab } from "../run/lab";
 import { passage } from "../view/readings";
 import type { Tools } from "../view/stage";
-import { fixed, powerOfTen, t } from "../words/language";
+import { fixed, shown, t } from "../words/language";
 import { el, fill, tick, unfolds } from "./dom";
 
 const DEGREES = 180 / Math.PI;
@@ -99,7 +99,7 @@ export class Toolbox {
     const { cloud, lab } = this;
     if (cloud) {
       const now = cloud.spread(lab.clock.place);
-      const spread = powerOfTen(cloud.start * DEGREES);
+      const spread = shown(cloud.start * DEGREES, 2);
       const text = now === null ? "" : t("cloud_spread", { spread, now: fixed(now * DEGREES, 2) });
       if (this.cloudNote.textContent !== text) this.cloudNote.textContent = text;
     }

@@ -3,6 +3,7 @@
 
 import type { CellRange, Core, FlipCells, FlipMapRequest, SystemDescription } from "../core/api";
 import { paint } from "./colours";
+import { megnoCells } from "./megno";
 
 export type Range = readonly [low: number, high: number];
 
@@ -18,23 +19,38 @@ export const FORBIDDEN = 2;
 export const UNRESOLVED = 3;
 export const WAITS = 4;
 
+/** What a map shows: the time until a rod turns over, or how chaotic the motion is. */
+export type Quantity = "flips" | "megno";
+
+/** What is to be shown. */
+export interface Asked {
+  system: SystemDescription;
+  rectangle: Rectangle;
+  quantity: Quantity;
+  tMax: number; // s
+}
+
 /** A picture of one resolution. */
 export class Level {
   readonly kinds: Uint8Array; // (side, side), theta1 outermost
-  readonly times: Float64Array; // s
+  readonly values: Float64Array; // s, or MEGNO
   readonly rods: Uint8Array;
   readonly canvas = document.createElement("canvas");
   done = 0; // cells
 
   constructor(
-    readonly rectangle: Rectangle,
+    readonly asked: Asked,
     readonly side: number,
   ) {
     this.kinds = new Uint8Array(side * side).fill(WAITS);
-    this.times = new Float64Array(side * side);
+    this.values = new Float64Array(side * side);
     this.rods = new Uint8Array(side * side);
     this.canvas.width = side;
     this.canvas.height = side;
+  }
+
+  get rectangle(): Rectangle {
+    return this.asked.rectangle;
   }
 
   get whole(): boolean {
@@ -75,45 +91,35 @@ export class Explorer {
     this.work.abort();
   }
 
-  /** Begins anew with another rectangle or another system; the old picture stays below. */
-  async show(
-    system: SystemDescription,
-    rectangle: Rectangle,
-    tMax: number,
-    keep: boolean,
-  ): Promise<void> {
+  /** Begins anew with another rectangle or another system; the old picture may stay below. */
+  async show(asked: Asked, keep: boolean): Promise<void> {
     this.work.abort();
     this.work = new AbortController();
     const { signal } = this.work;
     this.levels = keep ? this.levels.filter((level) => level.done > 0).slice(-3) : [];
     this.deep = false;
     for (const side of SIDES) {
-      if (!distinct(rectangle, side)) {
+      if (!distinct(asked.rectangle, side)) {
         this.deep = true;
         break;
       }
-      const level = new Level(rectangle, side);
+      const level = new Level(asked, side);
       this.levels.push(level);
-      await this.fill(level, system, tMax, signal);
+      await this.fill(level, signal);
       if (side >= 64) this.levels = this.levels.slice(-1);
       this.told();
     }
     this.told();
   }
 
-  private async fill(
-    level: Level,
-    system: SystemDescription,
-    tMax: number,
-    signal: AbortSignal,
-  ): Promise<void> {
-    const { side, rectangle } = level;
+  private async fill(level: Level, signal: AbortSignal): Promise<void> {
+    const { side, asked } = level;
     const request: FlipMapRequest = {
-      system,
-      theta1: rectangle.theta1,
-      theta2: rectangle.theta2,
+      system: asked.system,
+      theta1: asked.rectangle.theta1,
+      theta2: asked.rectangle.theta2,
       shape: [side, side],
-      tMax,
+      tMax: asked.tMax,
       which: null,
       tolerance: TOLERANCE,
       resolve: side >= RESOLVED_FROM,
@@ -121,8 +127,13 @@ export class Explorer {
     const chunks = chunksOf(side);
     const next = async (): Promise<void> => {
       for (let chunk = chunks.shift(); chunk; chunk = chunks.shift()) {
-        const cells = await this.core.call("flipCells", [request, chunk], { signal });
-        take(level, chunk, cells, request);
+        if (asked.quantity === "megno") {
+          takeMegno(level, chunk, await megnoCells(this.core, request, chunk, signal));
+        } else {
+          const cells = await this.core.call("flipCells", [request, chunk], { signal });
+          take(level, chunk, cells, request);
+        }
+        paint(level, chunk);
         this.told();
       }
     };
@@ -157,19 +168,31 @@ function chunksOf(side: number): CellRange[] {
   return chunks.sort((a, b) => far(a) - far(b));
 }
 
+/** Places of a level that a chunk's cells have, theta1 outermost. */
+function placesOf(side: number, { first, stop }: CellRange): number[] {
+  const across = stop[1] - first[1];
+  const count = (stop[0] - first[0]) * across;
+  return Array.from(
+    { length: count },
+    (_, k) => (first[0] + Math.floor(k / across)) * side + first[1] + (k % across),
+  );
+}
+
 function take(level: Level, chunk: CellRange, cells: FlipCells, request: FlipMapRequest): void {
-  const { side } = level;
-  const across = chunk.stop[1] - chunk.first[1];
-  for (let k = 0; k < cells.flipTime.length; ++k) {
-    const i = chunk.first[0] + Math.floor(k / across);
-    const j = chunk.first[1] + (k % across);
-    const at = i * side + j;
-    level.times[at] = cells.flipTime[k];
+  for (const [k, at] of placesOf(level.side, chunk).entries()) {
+    level.values[at] = cells.flipTime[k];
     level.rods[at] = cells.flippedRod[k];
     level.kinds[at] = kindOf(cells, k, request.resolve);
   }
   level.done += cells.flipTime.length;
-  paint(level, chunk, request.tMax);
+}
+
+function takeMegno(level: Level, chunk: CellRange, values: Float64Array): void {
+  for (const [k, at] of placesOf(level.side, chunk).entries()) {
+    level.values[at] = values[k];
+    level.kinds[at] = Number.isNaN(values[k]) ? UNRESOLVED : FLIPS;
+  }
+  level.done += values.length;
 }
 
 function kindOf(cells: FlipCells, k: number, resolve: boolean): number {

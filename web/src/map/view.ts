@@ -1,7 +1,7 @@
 // The flip map on the page: wheel, pinch, keys and buttons zoom, dragging moves it, a click or Enter
 // puts a start on the stage.
 
-import { el, fill, fresh } from "../controls/dom";
+import { choice, el, fill, fresh } from "../controls/dom";
 import { button } from "../controls/transport";
 import { PRESETS } from "../recipe/presets";
 import { described, systemOf } from "../recipe/recipe";
@@ -10,10 +10,10 @@ import { Figure } from "../view/figure";
 import { DEGREES } from "../view/graphs";
 import { Plot } from "../view/plot";
 import type { Surface } from "../view/svg";
-import { theme } from "../view/theme";
 import type { View } from "../view/views";
 import { fixed, t } from "../words/language";
-import { distinct, Explorer, type Level, type Range, type Rectangle } from "./explorer";
+import { axis, drawMap } from "./drawing";
+import { distinct, Explorer, type Quantity, type Range, type Rectangle } from "./explorer";
 import { legend } from "./legend";
 import { Pointers } from "./pointers";
 import { moved, startAt, WHOLE, zoomed } from "./rectangle";
@@ -30,6 +30,7 @@ export class MapView implements View {
   private plot: Plot | null = null;
   private figure: Figure | null = null;
   private system = "";
+  private quantity: Quantity = "flips";
   private readonly status = el("p", { class: "note", role: "status" });
   private readonly progress = el("p", { class: "note" });
   private timer = 0;
@@ -92,8 +93,21 @@ export class MapView implements View {
     fill(
       this.element,
       el("p", { class: "note" }, t("map_intro")),
+      choice(
+        t("map_shows"),
+        [
+          ["flips", t("map_flips")],
+          ["megno", t("map_chaos")],
+        ],
+        this.quantity,
+        (value) => {
+          this.quantity = value as Quantity;
+          this.lay();
+          this.compute(false);
+        },
+      ),
       this.figure.element,
-      legend(UNTIL),
+      legend(this.quantity, UNTIL),
       this.status,
       this.progress,
       el("p", { class: "note", id: help }, t("map_keys")),
@@ -102,7 +116,15 @@ export class MapView implements View {
 
   private compute(keep: boolean): void {
     this.explorer
-      .show(described(this.lab.recipe), this.rectangle, UNTIL, keep)
+      .show(
+        {
+          system: described(this.lab.recipe),
+          rectangle: this.rectangle,
+          quantity: this.quantity,
+          tMax: UNTIL,
+        },
+        keep,
+      )
       .catch((error) => this.lab.caught(error));
   }
 
@@ -117,60 +139,9 @@ export class MapView implements View {
   }
 
   private draw(s: Surface, width: number, height: number): void {
-    const axis = ([low, high]: Range, label: string) => ({
-      low: low * DEGREES,
-      high: high * DEGREES,
-      label,
-      kind: "degrees" as const,
-    });
-    const plot = new Plot(
-      s,
-      width,
-      height,
-      axis(this.rectangle.theta1, ""),
-      axis(this.rectangle.theta2, ""),
-    );
-    this.plot = plot;
-    plot.frame();
-    plot.clipped(() => {
-      for (const level of this.explorer.levels) this.layer(plot, level);
-      this.crossAt(plot, this.cross, theme().paper, 3.5);
-      this.crossAt(plot, this.cross, "#111", 1.5);
-    });
-    s.font = `italic 16px ${theme().symbols}`;
-    s.fillStyle = theme().ink;
-    s.textAlign = "right";
-    s.textBaseline = "bottom";
-    s.fillText("θ₁", plot.right, height - 1);
-    s.textAlign = "left";
-    s.textBaseline = "top";
-    s.fillText("θ₂", 2, plot.top);
-  }
-
-  private layer(plot: Plot, level: Level): void {
-    const { theta1, theta2 } = level.rectangle;
-    const [x, right] = theta1.map((value) => plot.px(value * DEGREES));
-    const [bottom, y] = theta2.map((value) => plot.py(value * DEGREES));
-    plot.surface.imageSmoothingEnabled = false;
-    plot.surface.drawImage(level.canvas, x, y, right - x, bottom - y);
-  }
-
-  private crossAt(
-    plot: Plot,
-    [theta1, theta2]: [number, number],
-    colour: string,
-    width: number,
-  ): void {
-    const { surface: s } = plot;
-    const [x, y] = [plot.px(theta1 * DEGREES), plot.py(theta2 * DEGREES)];
-    s.strokeStyle = colour;
-    s.lineWidth = width;
-    s.beginPath();
-    s.moveTo(x - 11, y);
-    s.lineTo(x + 11, y);
-    s.moveTo(x, y - 11);
-    s.lineTo(x, y + 11);
-    s.stroke();
+    const { theta1, theta2 } = this.rectangle;
+    this.plot = new Plot(s, width, height, axis(theta1), axis(theta2));
+    drawMap(this.plot, this.explorer.levels, this.cross, height);
   }
 
   private angleAt(x: number, y: number): [number, number] {
