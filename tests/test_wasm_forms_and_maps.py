@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from catalogue import SYSTEMS, any_states, label, made
-from pendula import DoublePendulum, exact, flip_map, time_at
+from pendula import DoublePendulum, exact, flip_map
 from pendula.systems import System
 from wasm_lab import described, listed, same_bits, the_lab
 
@@ -31,14 +31,11 @@ def test_closed_forms_have_the_bits_of_exact(system: System) -> None:
 
 
 @pytest.mark.parametrize("system", PERIODIC, ids=label)
-def test_periods_and_passages_have_the_bits_of_the_package(system: System) -> None:
+def test_periods_have_the_bits_of_the_package(system: System) -> None:
     states = np.abs(any_states(system, 30))
     asked = [*described(system), *listed(states)]
     (found,) = the_lab().ask("periods", asked)
     assert same_bits(found, system.period(state=states))  # type: ignore[attr-defined]
-    angles = np.linspace(-1.0, 2.0, 30)
-    (found,) = the_lab().ask("times_at", [*asked, *listed(angles)])
-    assert same_bits(found, time_at(system, states, angles))
 
 
 @pytest.mark.parametrize(

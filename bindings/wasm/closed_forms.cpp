@@ -51,15 +51,3 @@ PENDULA_EXPORT(periods) {
   pendula::periods_of(*of.form, of.parameters(), of.states, to.data(), to_the_end);
   return 0;
 }
-
-PENDULA_EXPORT(times_at) {
-  auto from = asked();
-  const solvable of(from, true);
-  const auto angles = from.list();
-  if (of.wrong) return refused(of.wrong);
-  if (angles.size() != of.states.size() / 2) pendula::wrong_call("as many angles as states");
-  auto& to = answer();
-  to.resize(angles.size());
-  pendula::times_at(*of.form, of.parameters(), of.states, angles, to.data(), to_the_end);
-  return 0;
-}

@@ -55,8 +55,6 @@ export interface Calls {
   ): Float64Array;
   /** Exact periods of states (m, 2), (m,) [s]; Infinity on the separatrix. */
   periods(system: SystemDescription, states: Float64Array): Float64Array;
-  /** When each state (m, 2), with ω ≥ 0 or ω < 0 alike, is first at its angle (m,) [s]. */
-  timesAt(system: SystemDescription, states: Float64Array, theta: Float64Array): Float64Array;
   /** Of states (n, d). */
   energies(system: SystemDescription, states: Float64Array): Energies;
   /** Bob, or end of each rod, (n, d/2, 2): (x, y) with the pivot at the origin, y upward [m]. */

@@ -111,7 +111,6 @@ export type FunctionName =
   | "solve"
   | "exact"
   | "periods"
-  | "times_at"
   | "energies"
   | "positions"
   | "rhs"

@@ -105,15 +105,6 @@ export class Instance implements Calls {
     return this.one("periods", new Writer().system(system).list(states));
   }
 
-  timesAt(system: SystemDescription, states: Float64Array, theta: Float64Array): Float64Array {
-    this.checkCan(system, "period");
-    // mirrored to ω ≥ 0: a phase next to 0 keeps the digits that one next to π would lose
-    const forwards = theta.map((_, i) => (states[2 * i + 1] < 0 ? -1 : 1));
-    const turned = states.map((value, i) => value * forwards[i >> 1]);
-    const angles = theta.map((value, i) => value * forwards[i]);
-    return this.one("times_at", new Writer().system(system).list(turned).list(angles));
-  }
-
   energies(system: SystemDescription, states: Float64Array): Energies {
     this.checkNames(system);
     const [kinetic, potential] = this.ask("energies", new Writer().system(system).list(states));
