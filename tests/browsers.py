@@ -5,6 +5,7 @@ https://chromedevtools.github.io/devtools-protocol/: messages of JSON, each ende
 
 from __future__ import annotations
 
+import base64
 import json
 import os
 import select
@@ -72,6 +73,16 @@ class Browser:
         found = self._ask("Runtime.evaluate", self._sessions[0], **asked)
         assert "exceptionDetails" not in found, found
         return found["result"].get("value")
+
+    def picture(self, width: int, height: int) -> bytes:
+        """The page at this size, as PNG."""
+        page, size = self._sessions[0], {"width": width, "height": height}
+        self._ask("Emulation.setScrollbarsHidden", page, hidden=True)
+        self._ask(
+            "Emulation.setDeviceMetricsOverride", page, deviceScaleFactor=1, mobile=False, **size
+        )
+        self._wait(0.5)
+        return base64.b64decode(self._ask("Page.captureScreenshot", page)["data"])
 
     def _ask(self, method: str, session: str = "", **parameters: Any) -> dict[str, Any]:
         """What a call returns; a call to a frame that is gone returns nothing."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import threading
 from functools import partial
 from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
@@ -29,10 +30,20 @@ CHOOSE_EXAMPLES = """(async () => {
   return [...links];
 })()"""
 LINK = "#system=simple&length=1&state=2,0&t_max=20&lang=en"
+PICTURE = (
+    "#system=double&form=rods&state=2.0943951023931957,-0.17453292519943295,0,0&t_max=30"
+    "&method=taylor&lang=en&theme=light&speed=5&view=compare&compare=rk4,dop853,gauss4"
+)
+PARTED = """new Promise((done) => {
+  const look = setInterval(() => {
+    const clock = /^(\\d+\\.\\d{3}) s$/m.exec(document.body.innerText);
+    if (clock && Number(clock[1]) > 13) done(clearInterval(look));
+  }, 20);
+})"""  # the clock of the stage is beyond 13 s
 PERIOD = f"Period: exact {pendula.SimplePendulum().period(2.0):.5g} s"  # of a release at 2 rad
 
 pytestmark = [
-    pytest.mark.skipif(not (page.STATIC / page.START).exists(), reason="not built: make lab"),
+    pytest.mark.skipif(not (page.STATIC / page.ONE_FILE).exists(), reason="not built: make lab"),
     pytest.mark.skipif(not browsers.PROGRAM, reason="there is no chromium here"),
 ]
 
@@ -82,6 +93,20 @@ def test_the_addresses_of_all_examples_are_links_of_python(tmp_path: Path) -> No
     for link in links:
         recipe = read_link(link)
         assert read_link(recipe.link()) == recipe
+
+
+def test_the_picture_of_the_readme_is_drawn(tmp_path: Path) -> None:
+    """It becomes the one in docs/images where PENDULA_LAB_PICTURE names that file."""
+    with serving() as server, browser(tmp_path) as one:
+        one.open(f"{server.url}{PICTURE}")
+        one.picture(1280, 790)  # sets the size
+        assert one.shows("gauss4")
+        one.value(PARTED)
+        drawn = one.picture(1280, 790)
+    assert drawn.startswith(b"\x89PNG")
+    assert 50_000 < len(drawn) < 150_000  # an empty page has 10 kB
+    if "PENDULA_LAB_PICTURE" in os.environ:
+        Path(os.environ["PENDULA_LAB_PICTURE"]).write_bytes(drawn)
 
 
 def test_one_file_works_from_a_disk(tmp_path: Path) -> None:
