@@ -3,9 +3,11 @@
 # make lint    formatters, linters, types, imports
 # make docs-facts  the generated parts of the documentation
 # make bench   the benchmarks, beside their peers
+# make lab     the browser laboratory, built and opened
+# make wasm-bits  the bits of the whole catalogue in WebAssembly, some minutes
 # make lock    renew the locks from pyproject.toml
 .DEFAULT_GOAL := help
-.PHONY: FORCE help study test test-python test-core lint format docs-facts bench stubs lock clean
+.PHONY: FORCE help study lab test test-python test-core test-lab wasm-bits lint format docs-facts bench stubs lock clean
 .DELETE_ON_ERROR:
 SHELL := /bin/sh
 PYTHON ?= python3
@@ -14,6 +16,10 @@ UV := $(FOR_UV) .tools/bin/uv
 BIN := $(CURDIR)/.venv/bin
 CORES := $(shell getconf _NPROCESSORS_ONLN 2>/dev/null || echo 1)
 COMPILED := $(shell find core/include core/src bindings/python -type f) CMakeLists.txt
+FOR_WASM := $(shell find core/include core/src bindings/wasm -type f) scripts/build-wasm
+PAGE := src/pendula/lab/static/lab.html
+FOR_PAGE := $(shell find web -type f -not -path '*/node_modules/*') docs/words.toml src/pendula/lab/address.json
+TO_WASM := PATH="$(BIN):$$PATH" scripts/with-progress "compiling the core for the browser" build/wasm.log scripts/build-wasm
 SOURCES := $(shell find core bindings benchmarks -name '*.hpp' -o -name '*.cpp')
 
 help:
@@ -44,6 +50,32 @@ help:
 	$(UV) pip install -q --require-hashes --no-deps -r requirements-bench.lock
 	@touch $@
 
+# ---- the laboratory's module: the core in WebAssembly, by a compiler from PyPI ----
+.venv/lab: requirements-lab.lock .venv/packages
+	@echo "installing what requirements-lab.lock names into .venv"
+	@$(UV) pip install -q --require-hashes --no-deps -r requirements-lab.lock
+	@touch $@
+
+build/wasm/lab.wasm: .venv/lab $(FOR_WASM)
+	@$(TO_WASM) lab
+
+# it takes minutes to compile: for changes of the arithmetic, not for every `make test`
+
+# the page: node comes from PyPI, everything else from web/package-lock.json
+web/node_modules/.package-lock.json: web/package-lock.json .venv/lab
+	@scripts/with-progress "installing what web/package-lock.json names" build/npm.log scripts/npm ci --no-audit --no-fund
+	@touch $@
+
+$(PAGE): build/wasm/lab.wasm web/node_modules/.package-lock.json $(FOR_PAGE)
+	@scripts/with-progress "building the page" build/page.log scripts/npm run build
+
+lab: .venv/installed $(PAGE)
+	@$(BIN)/pendula lab
+
+wasm-bits: .venv/lab .venv/packages
+	@$(TO_WASM) same_bits
+	@$(BIN)/python scripts/run_wasm.py build/wasm/same_bits.wasm core/tests/same_bits.txt
+
 # ---- the study ----
 study: .venv/installed
 	@$(BIN)/pendula study --lang en --out study/en --force
@@ -51,7 +83,7 @@ study: .venv/installed
 	@echo "python and pendula are in .venv: source .venv/bin/activate"
 
 # ---- tests: the core on each instruction set and under the sanitizers, then the package ----
-test: test-core test-python
+test: test-core test-python test-lab
 
 test-core: .venv/installed
 	@$(BIN)/cmake -S . -B build/core -G Ninja -DCMAKE_MAKE_PROGRAM=$(BIN)/ninja -DPython_EXECUTABLE=$(BIN)/python \
@@ -59,16 +91,22 @@ test-core: .venv/installed
 	@$(BIN)/cmake --build build/core --parallel $(CORES) >build/core.log || { cat build/core.log; exit 1; }
 	$(BIN)/ctest --test-dir build/core --output-on-failure --parallel $(CORES)
 
-test-python: .venv/installed
+test-python: .venv/installed build/wasm/lab.wasm
 	$(BIN)/pytest -n $(CORES)
 
-lint: .venv/installed
+# the page's own tests, and those in the system's Chromium (scripts/get-chromium)
+test-lab: .venv/installed $(PAGE)
+	@scripts/npm run --silent test
+	@scripts/npm run --silent browser
+
+lint: .venv/installed web/node_modules/.package-lock.json
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
 	$(BIN)/clang-format --dry-run -Werror $(SOURCES)
 	$(BIN)/mypy
 	$(BIN)/lint-imports
 	$(BIN)/python scripts/check_size.py
+	@scripts/npm run --silent check
 
 format: .venv/installed
 	$(BIN)/ruff format .
@@ -89,6 +127,8 @@ lock: .tools/bin/uv
 	  --extra io --extra report --extra cluster --extra animation --extra fit --group build --group dev pyproject.toml -o requirements.lock
 	$(UV) pip compile -q --upgrade --universal --generate-hashes --no-emit-index-url --no-header --python-version 3.11 \
 	  --group bench -c requirements.lock pyproject.toml -o requirements-bench.lock
+	$(UV) pip compile -q --upgrade --universal --generate-hashes --no-emit-index-url --no-header --python-version 3.11 \
+	  --group lab -c requirements.lock pyproject.toml -o requirements-lab.lock
 
 clean:
-	rm -rf .venv .tools build study dist src/pendula/*.so
+	rm -rf .venv .tools build study dist src/pendula/*.so src/pendula/lab/static web/node_modules

@@ -177,6 +177,7 @@ def test_dependencies_are_told_exactly() -> None:
         "Build": [*PROJECT["build-system"]["requires"], *groups["build"]],
         "Run": project["dependencies"],
         "Development": groups["dev"],
+        "Laboratory": groups["lab"],
         "Benchmarks": groups["bench"],
     }
     wanted |= {f"Extra {name}": each for name, each in project["optional-dependencies"].items()}

@@ -5,6 +5,7 @@ void bind_catalog(nanobind::module_& m);
 void bind_request(nanobind::module_& m);
 void bind_runs(nanobind::module_& m);
 void bind_closed_forms(nanobind::module_& m);
+void bind_maps(nanobind::module_& m);
 
 NB_MODULE(_core, m) {
   nanobind::set_leak_warnings(false);  // a run that is still alive at the end of a program is no leak
@@ -13,4 +14,5 @@ NB_MODULE(_core, m) {
   bind_request(m);
   bind_runs(m);
   bind_closed_forms(m);
+  bind_maps(m);
 }

@@ -15,7 +15,7 @@ using namespace pendula;
 constexpr int width = lanes_of_machine == 8 ? 16 : lanes_of_machine;
 using S = pack<double, width>;
 // AVX2's lanes do for DOP853, which takes as long to compile as all the rest.
-using methods_through_lanes = std::conditional_t<lanes_of_machine == 8, std::tuple<taylor>, adaptive_methods>;
+using methods_through_lanes = std::conditional_t<lanes_of_machine == 8, std::tuple<taylor>, adaptive_methods_in_lanes>;
 
 static_assert(no_more_work == no_trajectory);
 
@@ -96,7 +96,7 @@ void run_all(const request& asked, const ensemble_rows& rows, ensemble_receiver&
 
 bool run(const request& asked, const ensemble_rows& rows, ensemble_receiver& to) {
   bool built = false;
-  with<systems>(asked.system.name, [&]<class Entry>() {
+  with<systems_in_lanes>(asked.system.name, [&]<class Entry>() {
     with<methods_through_lanes>(asked.method, [&]<class Method>() {
       if constexpr (takes<Method, Entry>) {
         using Stepper = typename Method::template stepper<typename Entry::template over<S>>;

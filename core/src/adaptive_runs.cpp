@@ -141,7 +141,8 @@ run_end revisit(const request& asked, const step_memory& from, receiver& to) {
     std::memcpy(static_cast<void*>(&memory), from.numbers.data() + 2, sizeof memory);
     stepper.resume(memory);
     adaptive_run<Stepper> run(stepper, time, asked.end(), asked.direction());
-    return run.to_end(asked.step_limit(), reporter<adaptive_run<Stepper>>(asked.times, 0, to), polls_of(to));
+    reporter<adaptive_run<Stepper>> report(asked.times, 0, to);
+    return run.to_end(asked.step_limit(), report, polls_of(to));
   });
 }
 

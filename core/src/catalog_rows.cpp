@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 #include "pendula/catalog.hpp"
+#include "pendula/kernels/wrong_call.hpp"
 
 namespace pendula {
 
@@ -35,11 +35,11 @@ void with_system(const system_description& of, Visit&& visit) {
   bool found = false;
   with<systems>(of.name, [&]<class Entry>() {
     if (of.form >= Entry::forms.size() || of.parameters.size() != Entry::forms[of.form].parameters.size())
-      throw std::invalid_argument("a form of the system, with as many parameters as it has, is needed");
+      wrong_call("a form of the system, with as many parameters as it has, is needed");
     visit(Entry::template make<double>(of.form, of.parameters.data()));
     found = true;
   });
-  if (!found) throw std::invalid_argument("no system '" + of.name + "' in the catalogue");
+  if (!found) wrong_call("no system '" + of.name + "' in the catalogue");
 }
 
 // Calls write(system, state, row) for every state.
@@ -47,7 +47,7 @@ template <class Write>
 void for_each_state(const system_description& of, std::span<const double> states, Write&& write) {
   with_system(of, [&](const auto& system) {
     typename std::remove_cvref_t<decltype(system)>::state y;
-    if (states.size() % y.size() != 0) throw std::invalid_argument("states of another dimension than the system's");
+    if (states.size() % y.size() != 0) wrong_call("states of another dimension than the system's");
     for (std::size_t row = 0; (row + 1) * y.size() <= states.size(); ++row) {
       std::copy_n(states.data() + row * y.size(), y.size(), y.begin());
       write(system, y, row);

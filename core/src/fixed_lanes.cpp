@@ -58,8 +58,8 @@ void run_group(const group& some, const request& asked, const ensemble_rows& row
 bool run(const request& asked, const ensemble_rows& rows, ensemble_receiver& to) {
   const auto outputs = requested_times(asked.t0, asked.signed_step(), asked.times).outputs;
   bool built = false;
-  with<systems>(asked.system.name, [&]<class Entry>() {
-    with<fixed_methods>(asked.method, [&]<class Method>() {
+  with<systems_in_lanes>(asked.system.name, [&]<class Entry>() {
+    with<fixed_methods_in_lanes>(asked.method, [&]<class Method>() {
       if constexpr (takes<Method, Entry>) {
         built = true;
         for (group some(to); some.count > 0 && to.go_on(); some = group(to))

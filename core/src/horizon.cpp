@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include "pendula/drive/divergence.hpp"
 #include "pendula/drive/fixed_grid.hpp"
@@ -49,46 +50,48 @@ std::optional<double> of_adaptive(const request& asked, detector& beside, const 
 }
 
 // Steps where the run has them, at t0 + n h, and the shortened one at the end.
-struct grid_checker final : receiver {
+class grid_checker {
+ public:
   grid_checker(const request& asked, detector& beside, const poll& go_on)
-      : asked(asked), beside(beside), ask(go_on), last(place_on_grid(asked.end(), asked.t0, asked.signed_step())) {}
+      : asked_(asked), beside_(beside), ask_(go_on), last_(place_on_grid(asked.end(), asked.t0, asked.signed_step())) {}
 
-  bool output(std::size_t place, double, const double* y) override {
-    const auto n = static_cast<std::int64_t>(place);
-    const wide<double> on_grid =
-        wide<double>(two_product(static_cast<double>(n), asked.signed_step())) + wide<double>(asked.t0);
-    const wide<double> time = n > last.steps ? wide<double>(asked.end()) : on_grid;
-    const std::span angles(y, asked.state.size() / 2);
-    const bool right = in_range(angles) && beside.right(time, angles);
-    if (!right) horizon = rounded(time);
-    if (n % certified_steps_between_polls == 0) going_on = ask(rounded(time));
-    return right && going_on;
+  std::optional<double> horizon() {
+    const auto walk = kernel_for(asked_).walk(asked_);
+    bool right = true;
+    for (std::int64_t n = 1; right && n <= last_.steps; ++n) {
+      walk->go_to(n);
+      right = right_at(n, *walk, 0.0);
+      if (right && n % certified_steps_between_polls == 0 && !ask_(rounded(time_))) return std::nullopt;
+    }
+    if (right && last_.rest != 0.0) right = right_at(last_.steps + 1, *walk, last_.rest);
+    if (beside_.stopped()) return std::nullopt;
+    return right ? never : rounded(time_);
   }
-  void event(int, double, const double*) override {}
-  bool step(const step_motion&) override { return true; }
-  bool go_on(double) override { return true; }
+
+ private:
+  bool right_at(std::int64_t n, const grid_walk& walk, double rest) {
+    walk.state(rest, state_.data());
+    const wide<double> on_grid =
+        wide<double>(two_product(static_cast<double>(n), asked_.signed_step())) + wide<double>(asked_.t0);
+    time_ = n > last_.steps ? wide<double>(asked_.end()) : on_grid;
+    const std::span angles(state_.data(), state_.size() / 2);
+    return in_range(angles) && beside_.right(time_, angles);
+  }
 
   // Finite angles, which have a sine where there is one in the equations: without it neither the run nor the shadow
   // goes on, and both would spend millions of turns to find that out.
   bool in_range(std::span<const double> angles) const {
-    const double range = system_named(asked.system.name)->can.periodic ? largest_angle : never;
+    const double range = system_named(asked_.system.name)->can.periodic ? largest_angle : never;
     return std::ranges::all_of(angles, [=](double angle) { return std::fabs(angle) < range; });
   }
 
-  const request& asked;
-  detector& beside;
-  const poll& ask;
-  fixed_output last;
-  double horizon = never;
-  bool going_on = true;
+  const request& asked_;
+  detector& beside_;
+  const poll& ask_;
+  fixed_output last_;
+  std::vector<double> state_ = asked_.state;
+  wide<double> time_{};
 };
-
-std::optional<double> of_fixed(const request& asked, detector& beside, const poll& go_on) {
-  grid_checker checking(asked, beside, go_on);
-  kernel_for(asked).each_step(asked, checking);
-  if (beside.stopped() || (!checking.going_on && checking.horizon == never)) return std::nullopt;
-  return checking.horizon;
-}
 
 // Asks some times a second, however often it is asked itself.
 poll throttled(const watcher& watch, double t0, double span) {
@@ -114,7 +117,8 @@ std::optional<double> trust_horizon(const request& asked, double reached, outcom
   const auto beside = best_shadow_maker().make(made);
   const poll go_on = throttled(watch, asked.t0, reached - asked.t0);
   detector diverging(*beside, asked.state.size() / 2, *asked.options.certify, made.direction(), go_on);
-  const auto found = asked.options.step ? of_fixed(made, diverging, go_on) : of_adaptive(made, diverging, go_on);
+  const auto found =
+      asked.options.step ? grid_checker(made, diverging, go_on).horizon() : of_adaptive(made, diverging, go_on);
   return found && std::isinf(*found) ? beyond : found;
 }
 

@@ -10,8 +10,8 @@
 #endif
 
 // Kernels are small and must be inlined into the loop that the compiler vectorises or pipelines; under a sanitizer
-// they are not small.
-#ifdef PENDULA_SANITIZED
+// they are not small. Where a program has to be small, as in a browser, the compiler decides for sources that say so.
+#if defined(PENDULA_SANITIZED) || defined(PENDULA_SMALL)
 #define PENDULA_INLINE inline
 #else
 #define PENDULA_INLINE [[gnu::always_inline]] inline

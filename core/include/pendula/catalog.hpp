@@ -36,6 +36,18 @@ using fixed_methods = std::tuple<euler, heun, rk4, symplectic_euler, verlet, yos
 using adaptive_methods = std::tuple<dop853, taylor>;
 using methods = decltype(std::tuple_cat(fixed_methods{}, adaptive_methods{}));
 
+// What goes through lanes: everything, but in a browser, where a program has to be small, what is run there by the
+// thousand. The rest runs one after the other, with the same bits.
+#ifdef PENDULA_FEW_LANES
+using systems_in_lanes = std::tuple<double_pendulum, driven_pendulum>;
+using fixed_methods_in_lanes = std::tuple<rk4>;
+using adaptive_methods_in_lanes = std::tuple<taylor>;
+#else
+using systems_in_lanes = systems;
+using fixed_methods_in_lanes = fixed_methods;
+using adaptive_methods_in_lanes = adaptive_methods;
+#endif
+
 template <class List, class Visitor>
 constexpr void for_each(Visitor&& visit) {
   [&]<class... Entries>(std::type_identity<std::tuple<Entries...>>) {

@@ -41,8 +41,9 @@ class adaptive_run {
   // tau), and then the step by step(run, stop), while the stepper still stands at its start: the motion is valid up to
   // `stop` after it. step() returns whether to go on, as go_on(time, steps) does, which is called every few
   // milliseconds.
+  // It is not inlined, being as long as all the rest of a run: what differs between runs comes before it.
   template <class Consumer, class Poll>
-  adaptive_result to_end(std::int64_t step_limit, Consumer&& consumer, Poll&& go_on) {
+  [[gnu::noinline]] adaptive_result to_end(std::int64_t step_limit, Consumer&& consumer, Poll&& go_on) {
     adaptive_result result;
     result.reached = rough(time_.head[0]);
     for (;;) {

@@ -69,15 +69,19 @@ class fixed_run {
     return results_;
   }
 
-  // Calls visit(number, state) after each step, and at the last place where it is off the grid, until it returns
-  // false.
-  template <class Visit>
-  void each_step(fixed_output last, Visit&& visit) {
-    for (; steps_ < last.steps;) {
-      steps_ += take_steps(at_, S(step_), 1);
-      if (!visit(steps_, Method::state_of(system_, at_))) return;
-    }
-    if (last.rest != 0.0) visit(last.steps + 1, after_shortened_step(last.rest));
+  // For one trajectory that goes on as often as it is asked: to so many steps on the grid in all, no fewer than it
+  // took; false where its numbers are not finite.
+  bool go_to(std::int64_t steps) {
+    while (steps_ < steps && lane_of(finite<S>(head_of(at_)), 0)) steps_ += take_steps(at_, S(step_), steps - steps_);
+    return lane_of(finite<S>(head_of(at_)), 0);
+  }
+  std::int64_t steps() const { return steps_; }
+  // The state there, or one step of the length `rest` later.
+  state beside(double rest) const {
+    if (rest == 0.0) return steps_ == 0 ? start_ : Method::state_of(system_, at_);
+    carried there = at_;
+    take_steps(there, S(rest), 1);
+    return Method::state_of(system_, there);
   }
 
  private:

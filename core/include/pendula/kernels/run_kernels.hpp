@@ -4,6 +4,8 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
+#include <memory>
 #include <span>
 
 #include "pendula/drive/outcome.hpp"
@@ -55,13 +57,22 @@ struct run_end {
   double reached = 0.0;
 };
 
+// A run with a fixed step that goes on as often as it is asked.
+struct grid_walk {
+  virtual ~grid_walk() = default;
+  virtual std::unique_ptr<grid_walk> copy() const = 0;
+  virtual bool go_to(std::int64_t steps) = 0;  // in all, no fewer than it took; false: numbers are not finite there
+  virtual std::int64_t steps() const = 0;
+  virtual void state(double rest, double* to) const = 0;  // a shortened step of that length later; 0: where it stands
+};
+
 struct run_kernel {
   run_end (*solve)(const request&, receiver&);
   // The motion again at the request's times, which follow one another from the start of a step on; null where the
   // method knows nothing of the motion inside its steps.
   run_end (*revisit)(const request&, const step_memory& from, receiver&);
-  // States after the steps 1, 2 … and, where the end is off the grid, there; null for methods without a grid.
-  void (*each_step)(const request&, receiver&);
+  // A run that stands at its start; null for methods that choose their steps.
+  std::unique_ptr<grid_walk> (*walk)(const request&);
 };
 
 // The kernel of this processor for the request's method. Requests are checked before.

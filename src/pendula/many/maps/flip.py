@@ -6,14 +6,15 @@ import math
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
+from pendula import _engine
 from pendula._angles import warn_of_degrees
-from pendula._checks import flag, whole_number
+from pendula._checks import checked_threads, flag, whole_number
 from pendula._messages import ArgumentError
-from pendula._progress import part, with_bar
+from pendula._progress import with_bar
+from pendula._rules import refuse
 from pendula.many.chunks import Variable
 from pendula.many.maps.base import Map, checked_map, checked_tolerance
 from pendula.many.maps.cells import NAMES
-from pendula.run.events import flip
 from pendula.run.options import BEST_TOLERANCE
 
 if TYPE_CHECKING:
@@ -24,14 +25,12 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from pendula._progress import AskedProgress, Progress
-    from pendula._types import Array
     from pendula.many.chunks import Chunk
     from pendula.systems import DoublePendulum
 
 
-TIGHTER = 1e-3  # the second run's tolerance, in parts of the first one's
-AGREEMENT = 1e-4  # of two flip times, in parts of them; of two angles at the end [rad]
-_UNDECIDED = 1e-12  # of the energy: nearer to the least that a flip needs, the run decides
+TIGHTER = _engine.SECOND_RUN_TOLERANCE  # in parts of the first run's
+AGREEMENT = _engine.FLIP_AGREEMENT  # of two times, in parts of them; of two angles [rad]
 
 
 @with_bar("flip map")
@@ -168,70 +167,26 @@ class FlipMap(Map):
         self, chunk: Chunk, threads: int | None, progress: Progress
     ) -> dict[str, NDArray[np.generic]]:
         """The variables of the map at the cells of a chunk."""
-        starts = self.cells.starts(chunk)
-        forbidden = self.forbidden(starts)
-        share = 0.4 if self.resolve else 1.0  # of the work: the second run takes smaller steps
-        flips = self._flips(starts, ~forbidden, self.tolerance, threads, part(progress, 0.0, share))
-        found: dict[str, NDArray[np.generic]] = {
-            "flip_time": flips.time,
-            "flipped_rod": flips.rod,
-            "forbidden": forbidden,
+        found = _engine.flips(
+            self.system._description(),
+            self.t_max,
+            self.tolerance,
+            self.which or 0,
+            self.resolve,
+            self.cells.starts(chunk),
+            checked_threads(threads),
+            progress,
+        )
+        refuse(found.refused)
+        values = {
+            "flip_time": found.time,
+            "flipped_rod": found.rod,
+            "forbidden": found.forbidden.astype(bool),
+            "resolved": found.resolved.astype(bool),
         }
-        if self.resolve:
-            rest = part(progress, share, 1.0)
-            tighter = self._flips(starts, ~forbidden, TIGHTER * self.tolerance, threads, rest)
-            found["resolved"] = forbidden | flips.agree(tighter)
-        return {name: self.cells.whole(chunk, values) for name, values in found.items()}
-
-    def forbidden(self, starts: Array) -> NDArray[np.bool_]:
-        """Where the energy of a start from rest is less than any flip asked for needs."""
-        import numpy as np
-
-        tops = {1: (math.pi, 0.0, 0.0, 0.0), 2: (0.0, math.pi, 0.0, 0.0)}
-        needed = [top for rod, top in tops.items() if self.which in (None, rod)]
-        least = self.system.potential_energy(np.array(needed)).min()
-        energy = self.system.potential_energy(starts)
-        return np.asarray(energy < (1.0 - _UNDECIDED) * least)
-
-    def _flips(
-        self,
-        starts: Array,
-        allowed: NDArray[np.bool_],
-        tolerance: float,
-        threads: int | None,
-        progress: Progress,
-    ) -> Flips:
-        """First flips from the starts, of those that are allowed."""
-        import numpy as np
-
-        rods = [self.which] if self.which else [1, 2]
-        events = tuple(flip(rod, terminal=True) for rod in rods)
-        places = np.flatnonzero(allowed)
-        found = self.runs(starts[places], threads, progress, tolerance=tolerance, events=events)
-        flips = Flips(np.full(len(starts), np.nan), np.zeros(len(starts), np.uint8), starts.copy())
-        for rod, crossed in zip(rods, found.events, strict=True):
-            flips.time[places[crossed.trajectories]] = crossed.times
-            flips.rod[places[crossed.trajectories]] = rod
-        flips.end[places] = found.states[:, 0]
-        flips.end[places[found.outcomes == "not_finite"]] = np.nan
-        return flips
-
-
-@dataclass(frozen=True)
-class Flips:
-    """First flips: their times and rods, and states at the end where there is none."""
-
-    time: Array
-    rod: NDArray[np.uint8]
-    end: Array
-
-    def agree(self, other: Flips) -> NDArray[np.bool_]:
-        """Where two runs have the same result."""
-        import numpy as np
-
-        same_time = abs(self.time - other.time) <= AGREEMENT * self.time
-        together = (abs(self.end - other.end)[:, :2] <= AGREEMENT).all(axis=1)
-        return np.equal(self.rod, other.rod) & np.where(self.rod == 0, together, same_time)
+        if progress is not None:
+            progress(1.0)
+        return {each.name: self.cells.whole(chunk, values[each.name]) for each in self.variables}
 
 
 def _checked_rod(which: object) -> int | None:

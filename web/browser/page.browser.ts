@@ -1,0 +1,131 @@
+import { afterAll, beforeAll, describe, expect, test } from "vitest";
+import { computed, hasChromium, type Laboratory, laboratory, RODS, STILL } from "./laboratory";
+
+describe.skipIf(!hasChromium)("the page", () => {
+  let lab: Laboratory;
+  beforeAll(async () => {
+    lab = await laboratory();
+  });
+  afterAll(() => lab?.close());
+
+  test("starts moving, keeps its policy, and asks only its own server", async () => {
+    const began = Date.now();
+    const { page, said, asked } = await lab.open();
+    await page.waitForFunction(
+      () => Number.parseFloat(document.querySelector(".clock")?.textContent ?? "0") > 0,
+    );
+    console.info(`first motion after ${Date.now() - began} ms`);
+    expect(said).toStrictEqual([]);
+    expect(
+      asked.filter((each) => !each.startsWith(lab.url) && !/^(data|blob):/.test(each)),
+    ).toStrictEqual([]);
+  });
+
+  test("stands still where a person asks for less motion", async () => {
+    const { page } = await lab.open("", STILL);
+    await computed(page);
+    expect(await page.textContent(".clock")).toBe("0.000 s");
+    expect(await page.getAttribute(".round.main", "aria-label")).toBe("Play");
+  });
+
+  test("by keyboard alone: the bob is turned and spoken, the address follows, space plays", async () => {
+    const { page } = await lab.open("#system=simple&state=0.5,0&t_max=20", STILL);
+    await computed(page);
+    const bob = page.getByRole("slider", { name: /Bob/ });
+    await bob.focus();
+    await page.keyboard.press("PageUp");
+    await page.keyboard.press("ArrowLeft");
+    await page.waitForFunction(
+      () => document.querySelector(".bob")?.getAttribute("aria-valuetext") === "37.6 degrees",
+    );
+    await page.waitForFunction(() => location.hash.includes("state=0.656"));
+    await page.keyboard.press("Space");
+    await page.waitForFunction(
+      () => Number.parseFloat(document.querySelector(".clock")?.textContent ?? "0") > 0.2,
+    );
+  });
+
+  test("dragging sets the start, letting go in motion throws", async () => {
+    const { page } = await lab.open("#system=simple&state=0.5,0&t_max=20", STILL);
+    await computed(page);
+    const box = (await page.locator(".bob").boundingBox())!;
+    const [x, y] = [box.x + 22, box.y + 22];
+    await page.mouse.move(x, y);
+    await page.mouse.down();
+    for (let i = 1; i <= 8; ++i) await page.mouse.move(x + 12 * i, y - 5 * i);
+    await page.mouse.up();
+    await page.waitForFunction(() => /state=[^,]+,(?!0&)/.test(location.hash));
+    expect(await page.getAttribute(".round.main", "aria-label")).toBe("Pause");
+  });
+
+  test("a wrong link gets one line that names the key, in its language", async () => {
+    const { page } = await lab.open("#system=simple&t_max=10&lenght=1&lang=es");
+    const line = await page.getByRole("alert").textContent();
+    expect(line).toMatch(/^Este enlace no se muestra: «lenght» .+\.$/);
+  });
+
+  test("a typed value that breaks a rule is not taken, and a line says why", async () => {
+    const { page } = await lab.open("#system=simple&t_max=10", STILL);
+    const length = page.getByRole("textbox", { name: /length/ });
+    await length.fill("-1");
+    await length.press("Enter");
+    expect(await page.getByText("must be positive").textContent()).toContain("−1");
+    await length.fill("2,5");
+    await length.press("Enter");
+    await page.waitForFunction(() => location.hash.includes("length=2.5"));
+  });
+
+  test("the clock of trust: a coarse run is right for a while only", async () => {
+    const { page } = await lab.open(`#${RODS}&t_max=30&method=rk4&step=0.01&lang=en`, STILL);
+    await page.waitForFunction(() =>
+      /until [\d.]+ s/.test(document.querySelector(".readings")?.textContent ?? ""),
+    );
+  });
+
+  test("a table of measured motion is laid over the run, a bad one gets one line", async () => {
+    const { page } = await lab.open("#system=simple&t_max=10&view=data&lang=en", STILL);
+    await computed(page);
+    const file = (text: string) => ({
+      name: "swing.csv",
+      mimeType: "text/csv",
+      buffer: Buffer.from(text),
+    });
+    await page.setInputFiles("input[type=file]", file("t,theta\n0,0.5\n0.1,oops\n"));
+    expect(await page.locator(".view .wrong").textContent()).toBe(
+      "Line 3, column 2: “oops” is no number.",
+    );
+    await page.setInputFiles("input[type=file]", file("t;θ (°)\n0,0;30\n0,1;29\n0,2;25\n"));
+    await page.getByRole("button", { name: "Start the run as measured" }).click();
+    await page.waitForFunction(() => location.hash.includes("t_max=0.2"));
+    expect(await page.locator("pre.code").textContent()).toContain('unit="deg"');
+  });
+
+  test("three ghosts: the median frame takes at most 8 ms of the main thread", async () => {
+    const { page } = await lab.open(`#${RODS}&t_max=30&view=compare&compare=rk4,dop853,gauss4`);
+    await page.waitForFunction(() => document.querySelectorAll(".view tbody tr").length === 3);
+    await page.waitForTimeout(3000);
+    const times = await page.evaluate(() =>
+      performance.getEntriesByName("render").map((each) => each.duration),
+    );
+    const median = times.sort((a, b) => a - b)[Math.floor(times.length / 2)];
+    console.info(`median of ${times.length} frames: ${median.toFixed(2)} ms`);
+    expect(times.length).toBeGreaterThan(20);
+    expect(median).toBeLessThanOrEqual(8);
+  });
+
+  test("the flip map: a click puts the start on the stage", async () => {
+    const { page } = await lab.open(`#${RODS}&t_max=30&view=map&lang=en`, STILL);
+    await page.getByText(/64 × 64|128 × 128/).waitFor();
+    const box = (await page.locator(".map canvas").boundingBox())!;
+    await page.mouse.click(box.x + box.width * 0.95, box.y + box.height * 0.5);
+    await page.waitForFunction(() => !location.hash.includes("state=2.0943951023931953"));
+    expect(await page.getByText(/turns over after [\d.]+ s/).textContent()).toContain("rod");
+  });
+
+  test("embedded: the stage and its controls alone", async () => {
+    const { page } = await lab.open("#system=simple&t_max=10&embed=1&lang=en", STILL);
+    await computed(page);
+    expect(await page.getByRole("tablist").count()).toBe(0);
+    expect(await page.getByRole("button", { name: "Play" }).count()).toBe(1);
+  });
+});

@@ -1,0 +1,211 @@
+// Graphs that need runs of their own: the Poincaré section, and the balance of energy where friction
+// and a drive act. They are computed while they are looked at, and left when they are not.
+
+import { angle } from "../core/api";
+import { EXACT, gridOf, isDouble, systemOf } from "../recipe/recipe";
+import type { Lab } from "../run/lab";
+import type { Motion } from "../run/motion";
+import { fixed, shown, t } from "../words/language";
+import type { Key } from "../words/words";
+import { DEGREES, type Graph, timeSpan } from "./graphs";
+import { around, Plot } from "./plot";
+import type { Surface } from "./svg";
+import { theme } from "./theme";
+
+const LONGEST = 2000; // s of a section's run
+const POINTS = 400; // of the balance
+
+interface Points {
+  times: Float64Array;
+  x: Float64Array; // degrees
+  y: Float64Array; // rad/s
+}
+interface Balance {
+  times: Float64Array;
+  work: Float64Array; // J
+  heat: Float64Array;
+}
+
+export class Extras {
+  readonly graphs: readonly Graph[];
+  private points: Points | null = null;
+  private balance: Balance | null = null;
+  private asked = new Map<string, Motion>();
+  private readonly work = new AbortController();
+
+  constructor(private readonly lab: Lab) {
+    this.graphs = [
+      {
+        key: "graph_section",
+        fits: (each) => isDouble(each.recipe) || driveFrequency(each) > 0,
+        draw: (each, s, width, height) => this.drawSection(each, s, width, height),
+        describe: () =>
+          `${t(isDouble(lab.recipe) ? "section_double" : "section_driven")} ${t("section_text", { count: this.points?.times.length ?? 0 })}`,
+      },
+      {
+        key: "graph_balance",
+        fits: (each) => !systemOf(each.recipe).capabilities.conservative,
+        draw: (each, s, width, height) => this.drawBalance(each, s, width, height),
+        describe: () => t("balance_text"),
+      },
+    ];
+  }
+
+  leave(): void {
+    this.work.abort();
+  }
+
+  /** Computes what is looked at, once for each motion. */
+  follow(chosen: ReadonlySet<Key>): void {
+    const { motion } = this.lab;
+    const due = (key: Key) => {
+      const graph = this.graphs.find((each) => each.key === key)!;
+      if (!chosen.has(key) || !graph.fits(this.lab) || motion.outcome === null) return false;
+      if (this.asked.get(key) === motion) return false;
+      this.asked.set(key, motion);
+      return true;
+    };
+    if (due("graph_section")) this.section().catch((error) => this.lab.caught(error));
+    if (due("graph_balance")) this.takeBalance().catch((error) => this.lab.caught(error));
+  }
+
+  private async section(): Promise<void> {
+    const { lab } = this;
+    const { recipe } = lab;
+    this.points = null;
+    const { signal } = this.work;
+    const { spacing: _, options, ...request } = gridOf(recipe, "taylor");
+    const end = recipe.t0 + Math.min(LONGEST, 20 * Math.abs(recipe.t_max - recipe.t0));
+    if (isDouble(recipe)) {
+      const events = [angle(1, 0, 1, 0, true)];
+      const times = Float64Array.of(end);
+      const run = await lab.core.call("solve", [{ ...request, times, events }], { signal });
+      const { times: at, states } = run.events[0];
+      this.points = pointsOf(at, states, 4, 1, 3);
+    } else {
+      const period = (2 * Math.PI) / driveFrequency(lab);
+      const count = Math.min(4000, Math.floor((end - recipe.t0) / period));
+      const times = Float64Array.from({ length: count }, (_, i) => recipe.t0 + (i + 1) * period);
+      const run = await lab.core.call("solve", [{ ...request, options, times }], { signal });
+      this.points = pointsOf(run.times, run.states, 2, 0, 1);
+    }
+    lab.tell("time");
+  }
+
+  private async takeBalance(): Promise<void> {
+    const { lab } = this;
+    const { recipe } = lab;
+    const method = recipe.method === EXACT ? "taylor" : recipe.method;
+    const { spacing: _, ...request } = gridOf(recipe, method);
+    const span = recipe.t_max - recipe.t0;
+    const times = Float64Array.from(
+      { length: POINTS },
+      (_, i) => recipe.t0 + (span * (i + 1)) / POINTS,
+    );
+    const found = await lab.core.call("balance", [{ ...request, times }], {
+      signal: this.work.signal,
+    });
+    const columns = found.works.length + found.heats.length;
+    const sum = (from: number, to: number) =>
+      Float64Array.from({ length: found.parts.length / columns }, (_, i) =>
+        found.parts
+          .subarray(i * columns + from, i * columns + to)
+          .reduce((all, part) => all + part, 0),
+      );
+    const works = found.works.length;
+    this.balance = { times, work: sum(0, works), heat: sum(works, columns) };
+    lab.tell("time");
+  }
+
+  private drawSection(lab: Lab, s: Surface, width: number, height: number): void {
+    const { points } = this;
+    const double = isDouble(lab.recipe);
+    const [low, high] = double ? [-180, 180] : around(points?.x ?? [], 1);
+    const speeds = around(points?.y ?? [], 0.1);
+    const x = { low, high, label: double ? "θ₂" : "θ", kind: "degrees" as const };
+    const y = { low: speeds[0], high: speeds[1], label: double ? "ω₂ / (rad/s)" : "ω / (rad/s)" };
+    const plot = new Plot(s, width, height, x, y);
+    plot.frame();
+    if (!points) return;
+    const now = lab.motion.times[lab.clock.place];
+    plot.clipped(() => {
+      for (let i = 0; i < points.times.length; ++i) {
+        const past = points.times[i] <= now;
+        plot.dot(
+          points.x[i],
+          points.y[i],
+          past ? theme().accent : theme().second,
+          past ? 2.4 : 1.1,
+        );
+      }
+    });
+  }
+
+  private drawBalance(lab: Lab, s: Surface, width: number, height: number): void {
+    const { balance } = this;
+    const { motion } = lab;
+    const span = timeSpan(lab);
+    const energies = Float64Array.from(
+      balance?.times ?? [],
+      (time) => energyAt(motion, time) - motion.kinetic[0] - motion.potential[0],
+    );
+    const [low, high] = around(
+      [0, ...(balance?.work ?? []), ...(balance?.heat ?? []), ...energies],
+      1e-12,
+    );
+    const x = { low: span[0], high: span[1], label: "t / s" };
+    const plot = new Plot(s, width, height, x, { low, high, label: "J" });
+    plot.frame();
+    if (!balance) return;
+    const { times, work, heat } = balance;
+    const place =
+      Math.floor(
+        ((motion.times[lab.clock.place] - motion.t0) / (times[times.length - 1] - motion.t0)) *
+          POINTS,
+      ) - 1;
+    const rows: [string, Float64Array, string][] = [
+      ["ΔE", energies, theme().ink],
+      [t("work"), work, theme().second],
+      [t("heat"), heat, theme().warm],
+    ];
+    plot.clipped(() => {
+      for (const [, values, colour] of rows) {
+        plot.line(values.length, (i) => [times[i], values[i]], colour, 1.5);
+      }
+      plot.upright(motion.times[lab.clock.place], theme().line);
+    });
+    s.font = `12px ${theme().font}`;
+    s.textAlign = "right";
+    s.textBaseline = "top";
+    rows.forEach(([name, values, colour], i) => {
+      s.fillStyle = colour;
+      const text = place >= 0 && place < values.length ? fixed(values[place], 3) : shown(0);
+      s.fillText(`${name} ${text} J`, plot.right - 4, plot.top + 2 + 16 * i);
+    });
+  }
+}
+
+function pointsOf(
+  times: Float64Array,
+  states: Float64Array,
+  size: number,
+  x: number,
+  y: number,
+): Points {
+  const folded = (value: number) => value - 360 * Math.round(value / 360);
+  const column = (j: number) => Float64Array.from(times, (_, i) => states[i * size + j]);
+  return { times, x: column(x).map((value) => folded(value * DEGREES)), y: column(y) };
+}
+
+function energyAt(motion: Motion, time: number): number {
+  const place = Math.round((time - motion.t0) / motion.spacing);
+  const at = Math.min(Math.max(0, place), motion.count - 1);
+  return motion.kinetic[at] + motion.potential[at];
+}
+
+/** Angular frequency of the drive, or else of the pivot [rad/s]; 0: there is none. */
+function driveFrequency(lab: Lab): number {
+  const p = lab.recipe.parameters;
+  const drive = p.torque || lab.recipe.form === "scaled" ? p.drive_frequency : 0;
+  return drive || (p.pivot_amplitude ? p.pivot_frequency : 0) || 0;
+}
