@@ -21,7 +21,7 @@ from pendula.cli.options import (
     value,
 )
 from pendula.cli.progress import late_bar
-from pendula.cli.run import seconds, span_of, start_time
+from pendula.cli.run import seconds, start_time
 from pendula.cli.tables import digits_of, table
 from pendula.systems import systems_that
 
@@ -128,7 +128,7 @@ def _megno_options(entry: SystemEntry) -> list[click.Parameter]:
 
 def _megno(entry: SystemEntry, **given: Any) -> None:
     from pendula.chaos import megno
-    from pendula.cli.run import times_apart
+    from pendula.run._times import span_of, times_apart
 
     system, start = system_of(entry, given), start_of(entry, given)
     t0, t_max = seconds(given, "t0"), seconds(given, "t_max")

@@ -13,6 +13,9 @@ if TYPE_CHECKING:
     import xarray as xr
 
 _LOOK = ("colormap", "title", "ticks")  # as the functions of `pendula.plot` call them
+_NARROW = 60  # characters of a map
+_DARK = {"flip_time": "early", "growth": "slow", "sali": "chaos"}  # what is dark in one
+_DARK |= dict.fromkeys(("megno", "lyapunov"), "order")
 
 
 def look_options() -> list[click.Parameter]:
@@ -63,3 +66,26 @@ def draw_map(found: xr.Dataset, picture: Path, given: dict[str, Any]) -> None:
 def look_of(given: dict[str, Any]) -> dict[str, Any]:
     """The options of these that were given, as `pendula.plot` takes them."""
     return {name: given[name] for name in _LOOK if given[name] is not None}
+
+
+def shaded(data: xr.Dataset) -> None:
+    """The map in the terminal, where it can show it."""
+    import numpy as np
+
+    from pendula.cli.plots import shades
+    from pendula.cli.tables import can_print
+
+    if not can_print("█▓▒░"):
+        return
+    name = next(each for each in _DARK if each in data)
+    first, second = axes_of(data)
+    counts = [data.sizes[first], data.sizes[second]]
+    few = [np.unique(np.linspace(0, n - 1, min(n, _NARROW)).round().astype(int)) for n in counts]
+    picked = data[name].isel({first: few[0]}).isel({second: few[1]}).transpose(first, second)
+    click.echo(f"\n{shades(picked.values.astype(float), width=_NARROW)}")
+    click.echo(f"{first} to the right, {second} upward; dark: {_DARK[name]}, blank: none\n")
+
+
+def axes_of(data: xr.Dataset) -> tuple[str, str]:
+    """The axes of a map."""
+    return ("theta2", "p2") if "p2" in data.dims else ("theta1", "theta2")

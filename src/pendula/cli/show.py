@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from pendula.cli.map_picture import checked_map_picture, look_of, look_options
+from pendula.cli.map_picture import axes_of, checked_map_picture, look_of, look_options, shaded
 from pendula.cli.pictures import picture_options, write_picture
 from pendula.cli.shown import Held, held
 from pendula.cli.tables import paragraph, table
@@ -20,10 +20,6 @@ if TYPE_CHECKING:
 
     from pendula.many.sweep import SweepRecipe
     from pendula.run.trajectory import Trajectory
-
-_NARROW = 60  # characters of a map
-_DARK = {"flip_time": "early", "growth": "slow", "sali": "chaos"}  # what is dark in one
-_DARK |= dict.fromkeys(("megno", "lyapunov"), "order")
 
 Drawing = Callable[[str], "Figure"] | None  # in a language; None: there is no picture
 
@@ -97,39 +93,16 @@ def _map(found: Held, given: dict[str, Any]) -> Drawing:
 
     known, data = found.known, _dataset(found)
     _say(f"{known['map']} map of {system_from(known['system'])!r}")
-    for name in _dims(data):
+    for name in axes_of(data):
         centres = data[name].values
         ends = f"{centres[0]:.6g} to {centres[-1]:.6g} {data[name].attrs['units']}"
         click.echo(f"{name}: {centres.size} cells, centres {ends}")
     energy = f"energy {known['energy']:g} J, " if "energy" in known else ""
     click.echo(f"{energy}t_max = {known['t_max']:g} s, tolerance {known['tolerance']:.3g}")
     _unfinished(data)
-    _shades(data)
+    shaded(data)
     _say(summary(data))
     return lambda language: plot.stored_map(data, language=language, **look_of(given))
-
-
-def _shades(data: xr.Dataset) -> None:
-    """The map in the terminal, where it can show it."""
-    import numpy as np
-
-    from pendula.cli.plots import shades
-    from pendula.cli.tables import can_print
-
-    if not can_print("█▓▒░"):
-        return
-    name = next(each for each in _DARK if each in data)
-    first, second = _dims(data)
-    counts = [data.sizes[first], data.sizes[second]]
-    few = [np.unique(np.linspace(0, n - 1, min(n, _NARROW)).round().astype(int)) for n in counts]
-    picked = data[name].isel({first: few[0]}).isel({second: few[1]}).transpose(first, second)
-    click.echo(f"\n{shades(picked.values.astype(float), width=_NARROW)}")
-    click.echo(f"{first} to the right, {second} upward; dark: {_DARK[name]}, blank: none\n")
-
-
-def _dims(data: xr.Dataset) -> tuple[str, str]:
-    """The axes of a map."""
-    return ("theta2", "p2") if "p2" in data.dims else ("theta1", "theta2")
 
 
 def _dataset(found: Held) -> xr.Dataset:

@@ -130,18 +130,18 @@ def fit_periods(
     """Fit the pendulum's law to measured periods.
 
     Of several lengths T² = F (4π²/g) L gives g; of several amplitudes at one length T = T0 (1 + 16
-    a (2 K/π − 1)) gives T0, the coefficient a, which the law has at 1/16, and g where the length is
-    known. F is the product of the corrections.
+    a (2 K/π − 1)) gives T0, the coefficient a (1/16 by the law) and, with the length, g. F is the
+    product of the corrections.
 
     Args:
         table: periods of one full swing.
-        apparatus: what is known of the ball, the string and the air; None: nothing.
+        apparatus: what is known of it; None: nothing.
         corrections: names of `CORRECTIONS`, and "offset": all lengths are short by the same, which
             is fitted. None: all that can be made of what is known, without the offset.
         length: of the pendulum [m], where the table does not tell it.
         timing_error: standard deviation of one timing of a period [s]: that of the person at the
             stopwatch over the number of swings; None: what the repeats or the rows say.
-        length_error: standard deviation of each length [m]; of the only one, if there is one.
+        length_error: standard deviation of each length [m].
         amplitude_error: standard deviation of each amplitude [rad].
 
     Raises:
