@@ -27,7 +27,8 @@ def _again(start: str) -> Trajectory:
     from pendula.lab.recipe import read_link
 
     if not is_link(start):
-        return rerun(start)
+        again: Trajectory = rerun(start)
+        return again
     recipe = read_link(start)
     with late_bar(recipe.method) as progress:
         return recipe.run(progress)

@@ -139,14 +139,13 @@ def fit_periods(
         corrections: names of `CORRECTIONS`, and "offset": all lengths are short by the same, which
             is fitted. None: all that can be made of what is known, without the offset.
         length: of the pendulum [m], where the table does not tell it.
-        timing_error: standard deviation of one timing of a period [s]: that of the person at the
-            stopwatch over the number of swings; None: what the repeats or the rows say.
+        timing_error: standard deviation of one period [s], the stopwatch's over the number of
+            swings; None: what the repeats or the rows say.
         length_error: standard deviation of each length [m].
         amplitude_error: standard deviation of each amplitude [rad].
 
     Raises:
-        ValueError: for a table that cannot tell what is asked of it, a correction that is unknown
-            or lacks what it needs, or an error that is negative.
+        ValueError: for an argument out of range, or a table that cannot tell what is asked.
     """
     known = (apparatus or Apparatus()).known
     checked = checked_table(table, length, known)
@@ -160,11 +159,10 @@ def fit_periods(
         rows = Table(checked.period, checked.known, scatter.errors, *errors)
         return law(rows, set(chosen))
 
-    scatter = scatter_of(table, checked.period, timing)
-    refuse_unknowable(checked, names, errors_known=scatter.degrees_of_freedom > 0)
-    scatter = scatter_of(table, line(names, scatter).fitted, timing)
+    rough = scatter_of(table, checked.period, timing)
+    refuse_unknowable(checked, names, errors_known=rough.degrees_of_freedom > 0)
+    scatter = scatter_of(table, line(names, rough).fitted, timing)
     found = line(names, scatter)
-    judged = _judged(found, scatter)
     changes = tuple(
         AppliedCorrection(each, _change(checked.law, found, line(set(names) - {each}, scatter)))
         for each in names
@@ -177,7 +175,9 @@ def fit_periods(
         "length_error": ruler,
         "amplitude_error": protractor,
     }
-    return replace(_told(table, checked, found, judged, changes, ruler), recipe=recipe)
+    return replace(
+        _told(table, checked, found, _judged(found, scatter), changes, ruler), recipe=recipe
+    )
 
 
 def _checked_errors(
