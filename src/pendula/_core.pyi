@@ -342,3 +342,33 @@ def elliptic_K_series(moduli: Annotated[NDArray[numpy.float64], dict(shape=(None
 
 def jacobi(u: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], moduli: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], complement: bool) -> tuple[NDArray[numpy.float64], NDArray[numpy.float64], NDArray[numpy.float64], NDArray[numpy.float64]]:
     """am, sn, cn and dn."""
+
+second_run_tolerance: float = 0.001
+
+flip_agreement: float = 0.0001
+
+class Flips:
+    """First flips of a double pendulum's rods."""
+
+    @property
+    def refused(self) -> Fault | None:
+        """The fault for which nothing was run; None: it was."""
+
+    @property
+    def time(self) -> NDArray[numpy.float64]:
+        """(n,) [s]; NaN: none."""
+
+    @property
+    def rod(self) -> NDArray[numpy.uint8]:
+        """(n,); 0: none."""
+
+    @property
+    def forbidden(self) -> NDArray[numpy.uint8]:
+        """(n,): 1 where the energy is too small for a flip."""
+
+    @property
+    def resolved(self) -> NDArray[numpy.uint8]:
+        """(n,): 1 where the second run agrees; empty: not asked."""
+
+def flips(description: Description, t_max: float, tolerance: float, which: int, resolve: bool, starts: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], threads: int, progress: object | None) -> Flips:
+    """First flips from states (n, 4) at rest."""
