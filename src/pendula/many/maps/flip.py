@@ -178,7 +178,7 @@ class FlipMap(Map):
             progress,
         )
         refuse(found.refused)
-        values = {
+        values: dict[str, NDArray[np.generic]] = {
             "flip_time": found.time,
             "flipped_rod": found.rod,
             "forbidden": found.forbidden.astype(bool),
