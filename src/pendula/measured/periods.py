@@ -171,15 +171,20 @@ def fit_periods(
         AppliedCorrection(each, _change(checked.law, found, line(set(names) - {each}, scatter)))
         for each in names
     )
-    recipe = {
-        "apparatus": None if apparatus is None else asdict(apparatus),
-        "corrections": tuple(names),
-        "length": None if length is None else positive_number("length", length, "m"),
-        "timing_error": timing,
-        "length_error": ruler,
-        "amplitude_error": protractor,
-    }
+    errors = {"timing_error": timing, "length_error": ruler, "amplitude_error": protractor}
+    recipe = {**_recipe(apparatus, names, length), **errors}
     return replace(_told(table, checked, found, judged, changes, ruler), recipe=recipe)
+
+
+def _recipe(
+    apparatus: Apparatus | None, corrections: Iterable[str], length: float | None
+) -> dict[str, Any]:
+    """Arguments of `fit_periods`, without its errors."""
+    return {
+        "apparatus": None if apparatus is None else asdict(apparatus),
+        "corrections": tuple(corrections),
+        "length": None if length is None else positive_number("length", length, "m"),
+    }
 
 
 class _Judged(NamedTuple):
