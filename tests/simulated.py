@@ -11,6 +11,9 @@ from pendula.measured import Measurement
 
 if TYPE_CHECKING:
     from pendula._types import Array
+    from pendula.systems.base import System
+
+NOISE = 1e-3  # rad
 
 
 def of_angle(t: Array, theta: Array, **more: Any) -> Measurement:
@@ -75,3 +78,19 @@ def clean(
     system = pendula.DrivenPendulum.body(1.0, 1.0, 1.0, square, **frictions)
     theta = pendula.solve(system, start, t).theta
     return of_angle(t, theta + noise * np.random.default_rng(1).normal(size=len(t)))
+
+
+def recorded(
+    system: System,
+    start: tuple[float, ...],
+    *,
+    seconds: float = 10.0,
+    n: int = 500,
+    ahead: float = 0,
+) -> Measurement:
+    """The angles of a simulated motion with noise, by a clock that is ahead [s]."""
+    t, bodies = np.linspace(0.0, seconds, 500), len(start) // 2
+    angles = pendula.solve(system, start, t).states[:, :bodies]
+    angles = angles + NOISE * np.random.default_rng(1).normal(size=angles.shape)
+    names = ("theta",) if bodies == 1 else ("theta1", "theta2")
+    return Measurement(t + ahead, angles, "angle", names, "rad", bodies=bodies)

@@ -8,28 +8,10 @@ from typing import Any
 import numpy as np
 import pytest
 
-import pendula
 from pendula import DampedDoublePendulum, DrivenPendulum, LinearPendulum, SimplePendulum
-from pendula.measured import Fit, Measurement, fit, g_from_periods
+from pendula.measured import Fit, fit, g_from_periods
 from pendula.systems.base import System
-
-NOISE = 1e-3  # rad
-
-
-def recorded(
-    system: System,
-    start: tuple[float, ...],
-    *,
-    seconds: float = 10.0,
-    n: int = 500,
-    ahead: float = 0,
-) -> Measurement:
-    """The angles of a simulated motion with noise, by a clock that is ahead [s]."""
-    t, bodies = np.linspace(0.0, seconds, 500), len(start) // 2
-    angles = pendula.solve(system, start, t).states[:, :bodies]
-    angles = angles + NOISE * np.random.default_rng(1).normal(size=angles.shape)
-    names = ("theta",) if bodies == 1 else ("theta1", "theta2")
-    return Measurement(t + ahead, angles, "angle", names, "rad", bodies=bodies)
+from simulated import NOISE, recorded
 
 
 def off(found: Fit, name: str, true: float) -> float:

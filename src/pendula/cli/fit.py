@@ -84,10 +84,10 @@ def _fit_motion(measured: Sequence[Measurement], given: dict[str, Any]) -> Fit |
         "gravity": quantity_of(given, "gravity"),
         **{name: given[name] for name in ("signs", "robust", "uncertainty")},
     }
-    if given["model"] is None:
+    if given["model"] is None and angles[0].bodies == 1:
         return compare_models(angles, **options)
     with renaming(system="model"):
-        return fit(angles, given["model"], **options)
+        return fit(angles, given["model"] or "viscous", **options)
 
 
 def _fit_periods(measured: PeriodTable, given: dict[str, Any]) -> PeriodFit:

@@ -84,7 +84,7 @@ def fitting_options() -> list[click.Parameter]:
             ["--model"],
             metavar="NAMES",
             help="kinds of friction joined by +: viscous, coulomb, quadratic, cubic; undamped "
-            "[default: all are compared]",
+            "[default: all are compared; of a double pendulum viscous]",
         ),
         click.Option(
             ["--signs"],

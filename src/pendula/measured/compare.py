@@ -8,7 +8,8 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from pendula._late_methods import with_promised
-from pendula.measured.asked import model_name, model_parts
+from pendula._messages import ArgumentError
+from pendula.measured.asked import measurements_of, model_name, model_parts
 from pendula.measured.begun import Begun
 from pendula.measured.fit import fitted
 from pendula.measured.model import FRICTIONS
@@ -146,9 +147,8 @@ def compare_models(
     Raises:
         ValueError: as for `fit`.
     """
-    fits = _fits(
-        measurement, list(dict.fromkeys(model_parts(each, "models") for each in models)), options
-    )
+    parts = list(dict.fromkeys(model_parts(each, "models") for each in models))
+    fits = _fits(_of_one_pendulum(measurement), parts, options)
     least = min(fits.values(), key=_rms)
     effective = min(least.n_effective, float(least.n_samples))
     logs = {each: effective * math.log(made.rms**2) for each, made in fits.items()}
@@ -180,8 +180,23 @@ def compare_models(
     return replace(found, notes=_verdict(found))
 
 
-def _fits(
+def _of_one_pendulum(
     measurement: Measurement | Iterable[Measurement],
+) -> tuple[Measurement, ...]:
+    """The recordings.
+
+    Raises:
+        ValueError: where they are of a double pendulum.
+    """
+    given = measurements_of(measurement)
+    if given[0].bodies == 2:
+        rule = "must be of one pendulum for models to be compared, got one of a double pendulum"
+        raise ArgumentError("measurement", rule, "fit it with <call=pendula.measured.fit>")
+    return given
+
+
+def _fits(
+    measurement: Iterable[Measurement],
     parts: Sequence[tuple[bool, tuple[str, ...]]],
     options: dict[str, Any],
 ) -> dict[tuple[bool, tuple[str, ...]], Fit]:

@@ -7,6 +7,8 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from pendula.measured.begun import Begun
+from pendula.measured.double_start import refuse_upright
+from pendula.measured.free_swing import ends_stick_out, free_swing
 from pendula.measured.model import FRICTIONS
 from pendula.measured.plan import Plan, planned
 from pendula.measured.result import result_of
@@ -101,11 +103,20 @@ def fitted(plan: Plan, recordings: tuple[Sampled, ...], begun: Begun) -> Fit:
     if not plan.frictions and not any(plan.fixed.get(name) for name in FRICTIONS):
         damped = replace(plan, frictions=("viscous",))
         viscous = begun.best(damped, damped.problem(recordings)).rms
-    return result_of(plan, problem, best, viscous)
+    made = result_of(plan, problem, best, viscous)
+    if len(recordings) > 1 or "damped" in made.flags or not ends_stick_out(made):
+        return made
+    part = free_swing(plan, recordings[0], made.rms)
+    if part is None:
+        return made
+    told = dict(zip(("begin", "end", "inside"), part, strict=True))
+    note = Note("free_swing", {**told, "rms": made.rms, "unit": made.measurement.unit})
+    return replace(made, notes=(*made.notes, note), flags=(*made.flags, note.key))
 
 
 def fitted_double(plan: Plan, recording: Sampled) -> Fit:
     """The fit of a double pendulum that was planned."""
+    refuse_upright(recording)
     parts = [recording] if plan.windows is None else cut(recording, plan.windows)
     problem, best = shot(plan.problem(tuple(parts)), robust=plan.robust)
     made = result_of(plan, problem, best, best.rms)

@@ -130,27 +130,30 @@ def fit_periods(
     """Fit the pendulum's law to measured periods.
 
     Of several lengths T² = F (4π²/g) L gives g; of several amplitudes at one length T = T0 (1 + 16
-    a (2 K/π − 1)) gives T0, the coefficient a (1/16 by the law) and, with the length, g. F is the
-    product of the corrections.
+    a (2 K/π − 1)) gives T0, the coefficient a, which the law has at 1/16, and g where the length is
+    known. F is the product of the corrections.
 
     Args:
         table: periods of one full swing.
-        apparatus: what is known of it; None: nothing.
+        apparatus: what is known of the ball, the string and the air; None: nothing.
         corrections: names of `CORRECTIONS`, and "offset": all lengths are short by the same, which
             is fitted. None: all that can be made of what is known, without the offset.
         length: of the pendulum [m], where the table does not tell it.
-        timing_error: standard deviation of one period [s], the stopwatch's over the number of
-            swings; None: what the repeats or the rows say.
-        length_error: standard deviation of each length [m].
+        timing_error: standard deviation of one timing of a period [s]: that of the person at the
+            stopwatch over the number of swings; None: what the repeats or the rows say.
+        length_error: standard deviation of each length [m]; of the only one, if there is one.
         amplitude_error: standard deviation of each amplitude [rad].
 
     Raises:
-        ValueError: for an argument out of range, or a table that cannot tell what is asked.
+        ValueError: for a table that cannot tell what is asked of it, a correction that is unknown
+            or lacks what it needs, or an error that is negative.
     """
     known = (apparatus or Apparatus()).known
     checked = checked_table(table, length, known)
     names = checked_corrections(corrections, checked.known)
-    timing, ruler, protractor = _checked_errors(timing_error, length_error, amplitude_error)
+    timing = None if timing_error is None else positive_number("timing_error", timing_error, "s")
+    ruler = positive_number("length_error", length_error, "m", zero=True)
+    protractor = positive_number("amplitude_error", amplitude_error, "rad", zero=True)
     law = by_length if checked.law == "length" else by_amplitude
 
     def line(chosen: Iterable[str], scatter: Scatter) -> Line:
@@ -159,36 +162,29 @@ def fit_periods(
         rows = Table(checked.period, checked.known, scatter.errors, *errors)
         return law(rows, set(chosen))
 
-    rough = scatter_of(table, checked.period, timing)
-    refuse_unknowable(checked, names, errors_known=rough.degrees_of_freedom > 0)
-    scatter = scatter_of(table, line(names, rough).fitted, timing)
+    scatter = scatter_of(table, checked.period, timing)
+    refuse_unknowable(checked, names, errors_known=scatter.degrees_of_freedom > 0)
+    scatter = scatter_of(table, line(names, scatter).fitted, timing)
     found = line(names, scatter)
+    judged = _judged(found, scatter)
     changes = tuple(
         AppliedCorrection(each, _change(checked.law, found, line(set(names) - {each}, scatter)))
         for each in names
     )
-    recipe = {
+    errors = {"timing_error": timing, "length_error": ruler, "amplitude_error": protractor}
+    recipe = {**_recipe(apparatus, names, length), **errors}
+    return replace(_told(table, checked, found, judged, changes, ruler), recipe=recipe)
+
+
+def _recipe(
+    apparatus: Apparatus | None, corrections: Iterable[str], length: float | None
+) -> dict[str, Any]:
+    """Arguments of `fit_periods`, without its errors."""
+    return {
         "apparatus": None if apparatus is None else asdict(apparatus),
-        "corrections": tuple(names),
+        "corrections": tuple(corrections),
         "length": None if length is None else positive_number("length", length, "m"),
-        "timing_error": timing,
-        "length_error": ruler,
-        "amplitude_error": protractor,
     }
-    return replace(
-        _told(table, checked, found, _judged(found, scatter), changes, ruler), recipe=recipe
-    )
-
-
-def _checked_errors(
-    timing: object, length: object, amplitude: object
-) -> tuple[float | None, float, float]:
-    """Standard deviations of a period [s], of a length [m] and of an amplitude [rad]."""
-    return (
-        None if timing is None else positive_number("timing_error", timing, "s"),
-        positive_number("length_error", length, "m", zero=True),
-        positive_number("amplitude_error", amplitude, "rad", zero=True),
-    )
 
 
 class _Judged(NamedTuple):

@@ -24,6 +24,7 @@ ALIKE = 0.98  # correlation beyond which two parameters are not told apart
 _SWINGS = 2.0  # in a quarter of a record that is fitted alone
 _EARTH = (9.5, 10.1)  # m/s²: g beyond is not the Earth's
 _STRONG = 10.0  # of BIC: very strong evidence (Kass & Raftery, J. Am. Stat. Assoc. 90 (1995) 773)
+_MOST_NAMED = 4  # starts of windows
 _POOR = 0.3  # of the spread: residuals of a model that does not describe the record
 
 
@@ -143,7 +144,8 @@ def _quarters(problem: Problem, best: Optimum, i: int, states: Array) -> Array:
     if swings < 4.0 * _SWINGS or len(recording.t) < 16 * len(best.x):
         return whole[:0]
     edges = np.linspace(0, len(recording.t), 5).astype(int)
-    places = problem.places(i)
+    names, alone = problem.names, problem.of([recording]).names
+    places = [names.index(n if n in names else f"{n}[{i + 1}]") for n in alone]
     for quarter, (begin, end) in enumerate(pairwise(edges.tolist())):
         part = problem.of([recording.taken(slice(begin, end))]).thinned(MOST)
         begun = {**values, "theta": states[begin, 0], "omega": states[begin, 1]}
@@ -162,6 +164,7 @@ def _alike(
         for i in range(len(names))
         for j in range(i)
         if abs(correlation[i, j]) > ALIKE
+        and "[" not in names[i] + names[j]  # the start of one of several is no result
         and not any({names[i], names[j]} <= set(each) for each in groups)
     ]
     known = {"gravity", "length"} & {*derived, *names} or "omega0_squared" in derived
@@ -226,7 +229,9 @@ def _by_quarters(made: Fit) -> list[Note]:
 
 def _untold(made: Fit, errors: Errors) -> list[Note]:
     """Parameters that the data do not tell, or not apart."""
-    notes = [Note("flat", {"names": names}) for names in errors.untold(made.names)]
+    flat = dict.fromkeys(name for names in errors.untold(made.names) for name in names)
+    shared = tuple(name for name in flat if "[" not in name) or tuple(flat)[:_MOST_NAMED]
+    notes = [Note("flat", {"names": shared})] if flat else []
     for names in made.not_told_apart:
         if names == ("gravity", "length") and "gravity" not in made.names:
             notes.append(Note("only_ratio"))

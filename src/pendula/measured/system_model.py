@@ -168,6 +168,8 @@ class SystemModel:
     def _run(self, t: Array, values: Mapping[str, float], columns: Sequence[int]) -> Array:
         """The states (n, d), or their derivatives (n, d, k), from the start forward and backward.
 
+        NaN where a run is not finite, or is backward with dry friction.
+
         `solve` refuses negative friction; the runs of an ensemble have their parameters unchecked.
         """
         import numpy as np
@@ -193,7 +195,7 @@ class SystemModel:
             )
             result = _engine.ensemble(request, state, parameters, columns, 1, None)
             made = result.derivatives(outputs.size, d, k) if k else result.states(outputs.size, d)
-            found[part] = made[0][order]
+            found[part] = np.nan if result.refused else made[0][order]
         return found
 
 

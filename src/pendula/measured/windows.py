@@ -7,8 +7,8 @@ from dataclasses import replace
 from itertools import pairwise
 from typing import TYPE_CHECKING
 
-from pendula._checks import extra
-from pendula.measured.double_model import JOINTS, SHAPE, STATE, DoubleModel
+from pendula.measured.double_model import DoubleModel
+from pendula.measured.double_start import first_values
 from pendula.measured.fitted import Horizon
 from pendula.measured.problem import Optimum, Problem, Sampled, minimise
 from pendula.measured.starts import MOST, main_frequency
@@ -24,9 +24,6 @@ _FIRST = 0.75  # periods of the main oscillation: the first window
 _GROWS = 1.6  # times as long is the next
 _LOST = 0.1  # rad: residuals of a window that is not followed to its end
 _SHORTEST = 100.0  # samples of a window
-_SMOOTH = 12.0  # parts of a period that a smoothing polynomial spans
-_DEGREE = 4  # of it
-_DEFINITE = 1.05
 
 
 def shot(problem: Problem, *, robust: bool = False) -> tuple[Problem, Optimum]:
@@ -106,7 +103,7 @@ def _grown(problem: Problem, *, robust: bool) -> tuple[Array, float]:
     span = float(recording.t[-1] - recording.t[0])
     assert isinstance(problem.model, DoubleModel | SystemModel)
     known = {row.name: row.standard for row in problem.rows()}
-    known |= _first_values(recording, {**problem.constants, **problem.model.shape})
+    known |= first_values(recording, {**problem.constants, **problem.model.shape})
     x = np.array([known[name] for name in problem.names])
     length, followed = _FIRST * 2.0 * math.pi / main_frequency(recording), 0.0
     while followed < span:
@@ -117,71 +114,6 @@ def _grown(problem: Problem, *, robust: bool) -> tuple[Array, float]:
         x, followed = found.x, length
         length *= _GROWS
     return x, followed
-
-
-def _first_values(recording: Sampled, constants: Mapping[str, float]) -> dict[str, float]:
-    """State at the first sample, and the shape that goes with the accelerations.
-
-    The equations of motion are linear in the constants: those of smoothed angles, rates and
-    accelerations give them by least squares.
-    """
-    import numpy as np
-
-    signal, optimize = extra("scipy.signal", "fit"), extra("scipy.optimize", "fit")
-    step = float(np.median(np.diff(recording.t)))
-    grid = recording.t[0] + step * np.arange(round((recording.t[-1] - recording.t[0]) / step) + 1)
-    even = np.stack(
-        [
-            np.interp(grid, recording.t[there], column[there])
-            for column, there in zip(recording.values.T, recording.there.T, strict=True)
-        ]
-    )
-    points = round(2.0 * math.pi / main_frequency(recording) / _SMOOTH / step)
-    points = min(max(2 * (points // 2) + 1, _DEGREE + 3), 2 * ((len(grid) - 1) // 2) + 1)
-    theta, omega, alpha = (
-        signal.savgol_filter(even, points, min(_DEGREE, points - 1), deriv=each, delta=step)
-        for each in range(3)
-    )
-    found = dict(zip(STATE, [*theta[:, 0].tolist(), *omega[:, 0].tolist()], strict=True))
-    rows, wanted = _equations(theta, omega, alpha)
-    names = [*SHAPE, *JOINTS[:2]]
-    free = [i for i, name in enumerate(names) if name not in constants]
-    for i, name in enumerate(names):
-        if name in constants:
-            wanted = wanted - constants[name] * rows[:, i]
-    if free:
-        solved = optimize.lsq_linear(rows[:, free], wanted, (1e-6, np.inf), "bvls")
-        found |= {names[i]: float(x) for i, x in zip(free, solved.x, strict=True)}
-    if "B_over_A" in found:  # kinetic energy is positive whatever the rates: A B > C²
-        least = _DEFINITE * {**constants, **found}["C_over_A"] ** 2
-        found["B_over_A"] = max(found["B_over_A"], least)
-    return found
-
-
-def _equations(theta: Array, omega: Array, alpha: Array) -> tuple[Array, Array]:
-    """Both equations of motion as rows in (B, C, D, E, viscous1, viscous2), and what they give."""
-    import numpy as np
-
-    apart = theta[0] - theta[1]
-    zero, relative = np.zeros_like(apart), omega[1] - omega[0]
-    first = [
-        zero,
-        alpha[1] * np.cos(apart) + omega[1] ** 2 * np.sin(apart),
-        np.sin(theta[0]),
-        zero,
-        omega[0],
-        -relative,
-    ]
-    second = [
-        alpha[1],
-        alpha[0] * np.cos(apart) - omega[0] ** 2 * np.sin(apart),
-        zero,
-        np.sin(theta[1]),
-        zero,
-        relative,
-    ]
-    rows = np.concatenate([np.stack(first, axis=1), np.stack(second, axis=1)])
-    return rows, np.concatenate([-alpha[0], zero])
 
 
 def horizon_of(made: Fit, whole: Sampled, tolerance: float) -> Horizon | None:
