@@ -42,7 +42,8 @@ class Measurement(Storable):
         bodies: 1 or 2, how many angles the pendulum has.
         geometry: what is known of the pendulum, by name: pivot_x and pivot_y of positions [their
             unit]; of angles from positions also length, or l1 and l2 [m] (in pixels length_px, …),
-            and circle_rms, how far the bob is from its circle [the positions' unit].
+            circle_rms, how far the bob is from its circle, and circle_error, the standard error of
+            its radius, for independent errors [the positions' unit].
         source: the file's path; empty: none.
         checksum: SHA-256 of the file.
         reading: what `read` took, by its own arguments' names: reading the file with them gives the
@@ -169,6 +170,7 @@ class Measurement(Storable):
             f"{circle.radius_error:.1g} for independent errors."
         )
         here = {"pivot_x": circle.x, "pivot_y": circle.y, "circle_rms": circle.rms}
+        here["circle_error"] = circle.radius_error
         return replace(
             self,
             values=angles_about(self.values, circle),
