@@ -11,6 +11,7 @@ import click
 
 from pendula.cli.map_picture import checked_map_picture, look_of, look_options
 from pendula.cli.pictures import picture_options, write_picture
+from pendula.cli.show_measured import show_measured
 from pendula.cli.shown import held
 from pendula.cli.tables import paragraph, table
 
@@ -269,6 +270,7 @@ _SHOWN: dict[str, Callable[[Held, dict[str, Any]], Drawing]] = {
     "ensemble": _ensemble,
     "comparison": _table,
     "events": _table,
+    "recording or fit": show_measured,
 }
 
 command = click.Command(

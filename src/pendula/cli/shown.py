@@ -22,7 +22,8 @@ class Held:
     Attributes:
         path: of the file, or the URL of a store.
         ending: of its name.
-        kind: "trajectory", "map", "sweep", "ensemble", "comparison", "events" or "recipe".
+        kind: "trajectory", "map", "sweep", "ensemble", "comparison", "events", "recipe" or
+            "recording or fit".
         known: its description.
     """
 

@@ -216,9 +216,10 @@ class Measurement(Storable):
 
     def _repr_html_(self) -> str:
         """What a notebook shows: what was measured, over which times, and how it was read."""
-        return html_table(f"Measurement of {self.source or 'no file'}", self._facts())
+        return html_table(f"Measurement of {self.source or 'no file'}", self.facts())
 
-    def _facts(self) -> Iterator[tuple[str, str]]:
+    def facts(self) -> Iterator[tuple[str, str]]:
+        """What was measured and how it was read, name by name."""
         yield "quantity", f"{self.quantity}: {', '.join(self.names)} [{self.unit}]"
         if self.t.size:
             rate = f"{self.sample_rate:.4g} a second"
@@ -261,9 +262,10 @@ class PeriodTable(Storable):
 
     def _repr_html_(self) -> str:
         """What a notebook shows: how many periods, against what, and how they were read."""
-        return html_table(f"Periods of {self.source or 'no file'}", self._facts())
+        return html_table(f"Periods of {self.source or 'no file'}", self.facts())
 
-    def _facts(self) -> Iterator[tuple[str, str]]:
+    def facts(self) -> Iterator[tuple[str, str]]:
+        """What was measured and how it was read, name by name."""
         for name, values, unit in (
             ("periods", self.period, "s"),
             ("lengths", self.length, "m"),
