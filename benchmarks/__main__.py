@@ -6,7 +6,7 @@ import subprocess
 import sys
 from pathlib import Path
 
-from benchmarks import ensembles, exact, peers, real, taylor
+from benchmarks import ensembles, exact, fit, peers, real, taylor
 
 ROOT = Path(__file__).resolve().parent.parent
 BUILD = ROOT / "build" / "benchmarks"
@@ -79,6 +79,8 @@ def main() -> None:
     real.report()
     print()
     ensembles.report()
+    print()
+    fit.report()
 
 
 if __name__ == "__main__":

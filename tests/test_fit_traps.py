@@ -1,4 +1,4 @@
-"""What goes wrong with recordings is seen and told: hands, other zeros, orders of names."""
+"""What goes wrong with recordings is seen and said: hands, angles from the upright."""
 
 from __future__ import annotations
 

@@ -13,6 +13,7 @@ import pytest
 
 import pendula
 import recordings
+from commands import Call, unfolded
 from pendula.measured import Apparatus, Measurement, PeriodTable, fit, fit_periods, read
 from recordings import DEGREES, RATE, SWING, TIMES, rows, text
 from simulated import clean
@@ -214,3 +215,25 @@ def test_a_recording_is_drawn() -> None:
     assert made.plot(language="es").axes[0].get_ylabel() == "ángulo θ [°]"
     two = Measurement(TIMES, np.stack([SWING, RATE], axis=1), "position", ("x", "y"), "m")
     assert [ax.get_ylabel() for ax in two.plot().axes] == ["x [m]", "y [m]"]
+
+
+@pytest.mark.parametrize(
+    ("name", "said"),
+    [
+        ("model", "dry friction"),
+        ("periods", "gravity g"),
+        ("recording", "quantity: angle: theta [rad]"),
+        ("table", "periods: 4, 1.42 … 2.01 s"),
+    ],
+)
+def test_the_command_shows_what_is_saved(
+    things: dict[str, Any], name: str, said: str, call: Call, tmp_path: Path
+) -> None:
+    for ending in ENDINGS:
+        path = tmp_path / f"saved{ending}"
+        things[name].save(path)
+        picture = "" if name == "table" else f" --picture {tmp_path / 'drawn.svg'} --force"
+        code, printed, _ = call(f"show {path}{picture}")
+        assert code == 0
+        assert said in unfolded(printed)
+    assert (tmp_path / "drawn.svg").exists() == (name != "table")

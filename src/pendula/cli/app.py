@@ -72,10 +72,10 @@ _COMMANDS = (
     chaos,
     map,
     sweep,
-    fit,
     animate,
     show,
     lab,
+    fit,
     study,
 )
 for module in _COMMANDS:

@@ -31,16 +31,24 @@ _PLAIN = str.maketrans({"±": "+-", "−": "-", "×": "x", "²": "^2", "₀": "0
 
 
 def _fit(**given: Any) -> None:
-    from pendula.measured.periods import PeriodFit
-
     report = _checked_report(given)
     found = fit_of(given["files"], given)
-    told = _periods_told if isinstance(found, PeriodFit) else _motion_told
-    for line in told(found, given["lang"]):  # type: ignore[arg-type]
-        click.echo(line if can_print(line) else line.translate(_PLAIN))
+    for line in told(found, given["lang"]):
+        click.echo(line)
     if report is not None:
         named = {"title": given["title"], "author": given["author"], "overwrite": given["force"]}
         click.echo(found.report(report, given["lang"], **named) / "report.html")
+
+
+def told(found: Fit | Comparison | PeriodFit, language: str) -> list[str]:
+    """Values with their uncertainty and what has to be known, as the terminal can print them."""
+    from pendula.measured.periods import PeriodFit
+
+    if isinstance(found, PeriodFit):
+        lines = _periods_told(found, language)
+    else:
+        lines = _motion_told(found, language)
+    return [line if can_print(line) else line.translate(_PLAIN) for line in lines]
 
 
 def fit_of(files: Sequence[str], given: dict[str, Any]) -> Fit | Comparison | PeriodFit:

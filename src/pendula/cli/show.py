@@ -11,6 +11,7 @@ import click
 
 from pendula.cli.map_picture import axes_of, checked_map_picture, look_of, look_options, shaded
 from pendula.cli.pictures import picture_options, write_picture
+from pendula.cli.show_measured import show_measured
 from pendula.cli.shown import Held, held
 from pendula.cli.tables import paragraph, table
 
@@ -263,6 +264,7 @@ _SHOWN: dict[str, Callable[[Held, dict[str, Any]], Drawing]] = {
     "comparison": _table,
     "events": _table,
     "chaos": _table,
+    "recording or fit": show_measured,
 }
 
 command = click.Command(

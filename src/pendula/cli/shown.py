@@ -22,8 +22,8 @@ class Held:
     Attributes:
         path: of the file, or the URL of a store.
         ending: of its name.
-        kind: "trajectory", "map", "sweep", "ensemble", "comparison", "events",
-            "chaos" or "recipe".
+        kind: "trajectory", "map", "sweep", "ensemble", "comparison", "events", "chaos", "recipe" or
+            "recording or fit".
         known: its description.
     """
 

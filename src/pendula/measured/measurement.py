@@ -42,7 +42,8 @@ class Measurement(Storable):
         bodies: 1 or 2, how many angles the pendulum has.
         geometry: what is known of the pendulum, by name: pivot_x and pivot_y of positions [their
             unit]; of angles from positions also length, or l1 and l2 [m] (in pixels length_px, …),
-            and circle_rms, how far the bob is from its circle [the positions' unit].
+            circle_rms, how far the bob is from its circle, and circle_error, the standard error of
+            its radius, for independent errors [the positions' unit].
         source: the file's path; empty: none.
         checksum: SHA-256 of the file.
         reading: what `read` took, by its own arguments' names: reading the file with them gives the
@@ -169,6 +170,7 @@ class Measurement(Storable):
             f"{circle.radius_error:.1g} for independent errors."
         )
         here = {"pivot_x": circle.x, "pivot_y": circle.y, "circle_rms": circle.rms}
+        here["circle_error"] = circle.radius_error
         return replace(
             self,
             values=angles_about(self.values, circle),
@@ -214,9 +216,10 @@ class Measurement(Storable):
 
     def _repr_html_(self) -> str:
         """What a notebook shows: what was measured, over which times, and how it was read."""
-        return html_table(f"Measurement of {self.source or 'no file'}", self._facts())
+        return html_table(f"Measurement of {self.source or 'no file'}", self.facts())
 
-    def _facts(self) -> Iterator[tuple[str, str]]:
+    def facts(self) -> Iterator[tuple[str, str]]:
+        """What was measured and how it was read, name by name."""
         yield "quantity", f"{self.quantity}: {', '.join(self.names)} [{self.unit}]"
         if self.t.size:
             rate = f"{self.sample_rate:.4g} a second"
@@ -259,9 +262,10 @@ class PeriodTable(Storable):
 
     def _repr_html_(self) -> str:
         """What a notebook shows: how many periods, against what, and how they were read."""
-        return html_table(f"Periods of {self.source or 'no file'}", self._facts())
+        return html_table(f"Periods of {self.source or 'no file'}", self.facts())
 
-    def _facts(self) -> Iterator[tuple[str, str]]:
+    def facts(self) -> Iterator[tuple[str, str]]:
+        """What was measured and how it was read, name by name."""
         for name, values, unit in (
             ("periods", self.period, "s"),
             ("lengths", self.length, "m"),

@@ -217,9 +217,12 @@ def _length(
 ) -> Any:
     """A length as given, or as the recording has it (of a double pendulum the first).
 
-    A system has its own.
+    That of a circle through positions is as uncertain as the circle. A system has its own.
     """
     if isinstance(made, SystemModel):
         return None
-    own = measurement.geometry.get("length" if measurement.bodies == 1 else "l1")
-    return own if given is None else given
+    known = measurement.geometry
+    own = known.get("length" if measurement.bodies == 1 else "l1")
+    if given is not None or own is None:
+        return given
+    return own, known.get("circle_error", 0.0)
