@@ -8,18 +8,22 @@ from typing import TYPE_CHECKING
 
 from pendula.measured.begun import Begun
 from pendula.measured.model import DRIVE, FRICTIONS, SingleModel
+from pendula.measured.problem import minimise
 from pendula.measured.system_model import TIME_OFFSET, SystemModel
 from pendula.systems import DrivenPendulum
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
+    import numpy as np
+    from numpy.typing import NDArray
+
     from pendula._types import Array
     from pendula.measured.fitted import Fit
     from pendula.measured.plan import Plan
     from pendula.measured.problem import Sampled
 
-_MOST = 4000  # samples that are looked at
+_MOST = 1500  # samples that are looked at
 _ROUNDS = 5  # in which the part grows
 _FEWEST = 3.0  # periods that it begins with, at least
 _FAR = 3.0  # times the residuals within: the pendulum does not swing freely there
@@ -62,27 +66,25 @@ def free_swing(plan: Plan, recording: Sampled, rms: float) -> tuple[float, float
     plan = replace(plan, frictions=("viscous",), fixed=_without_friction(plan.fixed))
     thin = recording.taken(slice(None, None, -(-len(recording.t) // _MOST)))
     n = len(thin.t)
-    first, last, inside, period = n // 4, n - n // 4, math.inf, 0.0
-    running = np.zeros(n)
+    first, last = n // 4, n - n // 4
+    part = thin.taken(slice(first, last))
+    best = Begun(plan, (part,)).best(plan, plan.problem((part,)))
     for _ in range(_ROUNDS):
-        part = thin.taken(slice(first, last))
         problem = plan.problem((part,))
-        best = Begun(plan, (part,)).best(plan, problem)
         values, inside = problem.values(0, best.x), best.rms
         period = 2.0 * math.pi / math.sqrt(values["omega0_squared"])
         if part.t[-1] - part.t[0] < _FEWEST * period:
             return None
-        running = _running(_away(model, thin, first, values), thin.t, period)
-        near = running < _FAR * inside
-        before = np.flatnonzero(~near[:first])
-        after = np.flatnonzero(~near[last:])
-        grown = (
-            int(before[-1]) + 1 if before.size else 0,
-            last + int(after[0]) if after.size else n,
-        )
+        away, states = _away(model, thin, first, values)
+        running = _running(away, thin.t, period)
+        grown = _grown(running < _FAR * inside, first, last)
         if grown == (first, last):
             break
         first, last = grown
+        part = thin.taken(slice(first, last))
+        start = {**values, "theta": states[first, 0], "omega": states[first, 1]}
+        begun = np.array([start[name] for name in problem.names])
+        best = minimise(plan.problem((part,)), begun, rough=True)
     if (first, last) == (0, n) or inside > _BETTER * rms:
         return None
     beside = np.abs(thin.t - 0.5 * (thin.t[first] + thin.t[last - 1]))
@@ -96,8 +98,23 @@ def _without_friction(fixed: Mapping[str, float]) -> dict[str, float]:
     return {name: each for name, each in fixed.items() if name not in FRICTIONS}
 
 
-def _away(model: SingleModel, recording: Sampled, first: int, values: dict[str, float]) -> Array:
-    """How far the record is from the motion with these values at sample `first`, (n,)."""
+def _grown(near: NDArray[np.bool_], first: int, last: int) -> tuple[int, int]:
+    """A part, as far to either side as the record is near the motion."""
+    import numpy as np
+
+    before, after = np.flatnonzero(~near[:first]), np.flatnonzero(~near[last:])
+    begin = int(before[-1]) + 1 if before.size else 0
+    return begin, last + int(after[0]) if after.size else len(near)
+
+
+def _away(
+    model: SingleModel, recording: Sampled, first: int, values: dict[str, float]
+) -> tuple[Array, Array]:
+    """How far the record is from the motion with these values at sample `first`, and its states.
+
+    Returns:
+        Measured less seen (n,), and states (n, 2).
+    """
     import numpy as np
 
     square = values["omega0_squared"]
@@ -106,8 +123,8 @@ def _away(model: SingleModel, recording: Sampled, first: int, values: dict[str, 
     known[TIME_OFFSET] = float(recording.t[first] - recording.t[0])
     if model.quantity == "acceleration":  # felt as R ω0² cos θ
         known["gravity_seen"] *= values["sensor_radius"]
-    seen = made.seen(made.states(recording.t, known), known)
-    return np.asarray((recording.values - seen)[:, 0])
+    states = made.states(recording.t, known)
+    return np.asarray((recording.values - made.seen(states, known))[:, 0]), states
 
 
 def _running(away: Array, t: Array, period: float) -> Array:
