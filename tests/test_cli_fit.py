@@ -61,7 +61,7 @@ def test_spanish_is_spanish(call: Call) -> None:
     printed = quiet(call, f"fit {written()} --lang es --model viscous")
     found, error = value(printed, "frecuencia propia ω₀", ",")
     assert abs(found - math.sqrt(OMEGA2)) <= 3.0 * error
-    assert "fricción viscosa\n" in printed
+    assert "rozamiento viscoso\n" in printed
 
 
 def test_report_is_written_and_named(call: Call) -> None:

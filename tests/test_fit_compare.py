@@ -46,7 +46,7 @@ def test_the_small_swing_is_dry_friction() -> None:
     assert found["viscous"].bic > 100.0
     assert found.linear_enough
     assert "dry friction" in found.verdict()
-    assert "fricción seca" in found.verdict("es")
+    assert "rozamiento seco" in found.verdict("es")
 
 
 def test_a_larger_model_never_fits_worse_among_those_compared() -> None:

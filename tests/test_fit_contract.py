@@ -253,7 +253,7 @@ def test_a_fit_of_a_system_has_a_report(tmp_path: Any) -> None:
     found = fit(recorded(BOB, (1.0, 0.0)), BOB)
     folder = found.report(tmp_path / "report", lang="es")
     page = (folder / "report.html").read_text(encoding="utf-8")
-    assert "fricción viscosa" in page
+    assert "rozamiento viscoso" in page
     assert "N m s" in page
 
 

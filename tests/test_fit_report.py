@@ -112,7 +112,7 @@ def test_facts_are_rounded_to_their_uncertainty(fitted: Fit) -> None:
     assert rows["gravedad g"].endswith("m/s²")
     assert "," in rows["gravedad g"]
     assert "." not in rows["gravedad g"]
-    assert told["model"] == "fricción viscosa"
+    assert told["model"] == "rozamiento viscoso"
     theta = motion(fitted.t)[0]
     upward = np.count_nonzero((theta[:-1] < 0) & (theta[1:] >= 0))
     assert told["swings"]["count"] == upward - 1
