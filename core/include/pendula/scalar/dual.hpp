@@ -81,16 +81,13 @@ struct dual {
   PENDULA_INLINE friend dual magnitude(const dual& a) { return std::signbit(a.value) ? -a : a; }
   PENDULA_INLINE friend dual nearest_whole(const dual& a) { return dual(pendula::nearest_whole(a.value)); }
   PENDULA_INLINE friend double lane(const dual& a, int) { return a.value; }
-  // a b − p, of which the value is the rounding error of a product.
-  PENDULA_INLINE friend dual product_minus(const dual& a, const dual& b, const dual& p) {
-    if constexpr (fused_multiply_add) {
-      return {pendula::product_minus(a.value, b.value, p.value),
-              (a.change * tangents(b.value) + b.change * tangents(a.value)) - p.change};
-    } else {
-      return p;  // is not asked for
-    }
-  }
 };
+
+// The product's change is all that of the product: none is left for its rounding error, whichever way that is found.
+template <int n>
+PENDULA_INLINE head_and_tail<dual<n>> two_product(const dual<n>& a, const dual<n>& b) {
+  return {a * b, dual<n>(two_product(a.value, b.value).tail)};
+}
 
 template <int n>
 inline constexpr bool has_double_precision<dual<n>> = true;
