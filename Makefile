@@ -91,7 +91,7 @@ test-core: .venv/installed
 	@$(BIN)/cmake --build build/core --parallel $(CORES) >build/core.log || { cat build/core.log; exit 1; }
 	$(BIN)/ctest --test-dir build/core --output-on-failure --parallel $(CORES)
 
-test-python: .venv/installed build/wasm/lab.wasm
+test-python: .venv/installed $(PAGE)
 	$(BIN)/pytest -n $(CORES)
 
 # the page's own tests, and those in the system's Chromium (scripts/get-chromium)

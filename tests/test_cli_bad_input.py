@@ -113,7 +113,7 @@ def kept() -> dict[Path, str]:
         (f"{DOUBLE} --bodies --bobs", "--bobs and --bodies exclude one another"),
         ("solve", "name a system: linear, simple, double"),
         ("solve triple", "no system 'triple'; take one of linear, simple, double"),
-        ("slove", "no command 'slove'; take one of solve, exact, period, methods, "),
+        ("slove", "no command 'slove'; take one of solve, exact, rerun, period, methods, "),
         ("exact triple --at 1s", "no system 'triple'; take one of linear, simple"),
         ("exact double --at 1s", "no closed form; use pendula solve double, with --digits 12"),
         ("EXACT Double --at 1s", "no closed form; use pendula solve double, with --digits 12"),

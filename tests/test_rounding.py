@@ -57,7 +57,7 @@ def test_an_unknown_uncertainty_leaves_no_doubt(unknown: float) -> None:
     ("arguments", "coverage", "error"),
     [
         ((math.nan, 1.0), 1.0, "value must be"),
-        ((1.0, -0.1), 1.0, "uncertainty must not be negative, got -0.1"),
+        ((1.0, -0.1), 1.0, "uncertainty must be 0 or more, got -0.1"),
         ((1.0, 0.1), 0.0, "coverage must be positive"),
     ],
 )

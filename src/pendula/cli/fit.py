@@ -168,7 +168,7 @@ command = click.Command(
             ["files"],
             nargs=-1,
             required=True,
-            metavar="FILE...",
+            metavar="FILE…",
             type=click.Path(exists=True, dir_okay=False),
         ),
         *reading_options(),
@@ -182,5 +182,5 @@ command = click.Command(
         click.Option(["--force"], is_flag=True, help="replace the folder if it exists"),
     ],
     callback=_fit,
-    help="Fit a pendulum to its recordings, one a FILE, or to a table of periods.",
+    help="Fit a pendulum to its recordings, each in a FILE, or to a table of periods.",
 )

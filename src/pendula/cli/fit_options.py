@@ -22,7 +22,7 @@ _MANY = ("angle", "rate", "x", "y", "period")
 _ARGUMENTS = {"length_column": "length", "amplitude_column": "amplitude"}
 # The other arguments of `read`: unit of a quantity, or what the option takes, and its help.
 _READING: dict[str, tuple[str | None, str]] = {
-    "unit": (None, "of what was measured: deg, rad/s, mm, px ..."),
+    "unit": (None, "of what was measured: deg, rad/s, mm, px …"),
     "time_unit": (None, "of the times, if no header tells it"),
     "frame_rate": ("1/s", "frames a second of a film, e.g. 240"),
     "scale": ("m", "length of a pixel"),

@@ -65,7 +65,7 @@ def rounded(value: float, uncertainty: float, *, coverage: float = 1.0) -> Round
     found = finite_number("value", value)
     spread = number("uncertainty", uncertainty) * positive_number("coverage", coverage)
     if spread < 0:
-        rule = "must not be negative, got {value}"
+        rule = "must be 0 or more, got {value}"
         raise ArgumentError("uncertainty", rule, "give the size of the error", value=spread)
     if not math.isfinite(spread):
         return Rounded(f"{found:.3g}", "∞", 0)

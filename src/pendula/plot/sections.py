@@ -98,7 +98,7 @@ def section(
     if not isinstance(found, Section):
         rule = "must be what pendula.chaos.section returned, got {value}"
         raise ArgumentError("found", rule, value=found)
-    figure, place = given_or_new(ax, 4.6, words)
+    figure, place = given_or_new(ax, 5.3, words)
     points = found.points
     x, y = np.degrees(points[..., 0]), points[..., 1]
     low, high = _SIZES
