@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from pendula._checks import broadcast_shape, finite_array, positive_number
 from pendula._messages import ArgumentError
-from pendula.chaos.energy_surface import check_double, coupling_at
+from pendula.chaos.energy_surface import check_double
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -46,7 +46,7 @@ def section_starts(
     angles, momenta = finite_array("theta2", theta2, "rad"), finite_array("p2", p2, "kg m^2/s")
     shape = broadcast_shape(theta2=angles.shape, p2=momenta.shape)
     angles, momenta = np.broadcast_to(angles, shape), np.broadcast_to(momenta, shape)
-    states = _lifted(system, total, angles.ravel(), momenta.ravel())
+    states = lifted(system, total, angles.ravel(), momenta.ravel())
     lacking = ~np.isfinite(states[:, 2])
     if lacking.any():
         first = int(lacking.argmax())
@@ -73,15 +73,12 @@ def section_grid(system: DoublePendulum, energy: float, count: int) -> Array:
     """
     import numpy as np
 
-    constants = system.constants
-    most = math.sqrt(2.0 * constants["B"] * energy)  # of p2, at θ2 = 0
-    ratio = energy / (2.0 * constants["E"]) if constants["E"] else 2.0
-    widest = 2.0 * math.asin(math.sqrt(ratio)) if ratio < 1.0 else math.pi
+    (_, widest), (_, most) = reach(system, energy)
     kept, first, found = [], 0, 0
     while found < count:
         places = np.arange(first, first + 4 * count) + 0.5
         unit = np.mod(np.outer(places, _EVEN), 1.0)
-        states = _lifted(
+        states = lifted(
             system, energy, widest * (2.0 * unit[:, 0] - 1.0), most * (2.0 * unit[:, 1] - 1.0)
         )
         kept.append(states[np.isfinite(states[:, 2])])
@@ -98,16 +95,26 @@ def momentum2(system: System, states: Array) -> Array:
     return np.asarray(constants["B"] * states[..., 3] + coupling * states[..., 2])
 
 
-def _lifted(system: DoublePendulum, energy: float, theta2: Array, p2: Array) -> Array:
+def reach(system: System, energy: float) -> tuple[tuple[float, float], tuple[float, float]]:
+    """The least rectangle of (θ2, p2) that holds the section of an energy [rad, kg m²/s]."""
+    constants = system.constants
+    ratio = energy / (2.0 * constants["E"]) if constants["E"] else 2.0  # sin²(θ2/2) at rest
+    widest = 2.0 * math.asin(math.sqrt(ratio)) if ratio < 1.0 else math.pi
+    most = math.sqrt(2.0 * constants["B"] * energy)  # of p2, at θ2 = 0
+    return (-widest, widest), (-most, most)
+
+
+def lifted(system: System, energy: float, theta2: Array, p2: Array) -> Array:
     """States (n, 4) on the plane; NaN velocities where the energy does not reach."""
     import numpy as np
 
-    A, B = system.constants["A"], system.constants["B"]
+    of = system.constants
     states = np.zeros((theta2.size, 4))
     states[:, 1] = theta2
-    coupling = coupling_at(system, states[:, :2])
-    left = 2.0 * B * (energy - system.potential_energy(states)) - p2 * p2
-    square = np.where(left > 0.0, left, np.nan) / (A * B - coupling * coupling)
+    coupling, sine = of["C"] * np.cos(theta2), of["C"] * np.sin(theta2)
+    left = 2.0 * of["B"] * (energy - system.potential_energy(states)) - p2 * p2
+    # A B − C² cos² θ2 without cancellation
+    square = np.where(left > 0.0, left, np.nan) / (of["determinant_floor"] + sine * sine)
     states[:, 2] = np.sqrt(square)
-    states[:, 3] = (p2 - coupling * states[:, 2]) / B
+    states[:, 3] = (p2 - coupling * states[:, 2]) / of["B"]
     return states

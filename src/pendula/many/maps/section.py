@@ -6,9 +6,9 @@ import math
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
-from pendula import _engine
 from pendula._checks import one_of, positive_number
 from pendula._progress import with_bar
+from pendula.chaos.section_plane import lifted, reach
 from pendula.many.chunks import Axis, Variable
 from pendula.many.maps.base import Map, checked_map, checked_tolerance
 from pendula.many.maps.cells import Cells, checked_cells
@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from pendula._progress import AskedProgress, Progress
     from pendula._types import Array
     from pendula.many.chunks import Chunk
-    from pendula.systems import DoublePendulum, System
+    from pendula.systems import DoublePendulum
 
 NAMES = ("theta2", "p2")
 
@@ -170,7 +170,7 @@ class SectionMap(Map):
         import numpy as np
 
         assert isinstance(self.cells, SectionCells)
-        starts = section_starts(self.system, self.energy, self.cells.points(chunk))
+        starts = lifted(self.system, self.energy, *self.cells.points(chunk).T)
         allowed = np.isfinite(starts[:, 2])
         values = np.full(len(starts), math.nan)
         if allowed.any():
@@ -178,31 +178,3 @@ class SectionMap(Map):
         found: dict[str, NDArray[np.generic]] = {self.indicator: values, "forbidden": ~allowed}
         shape = [chunk.spans[name][1] - chunk.spans[name][0] for name in NAMES]
         return {name: each.reshape(shape) for name, each in found.items()}
-
-
-def section_starts(system: System, energy: float, points: Array) -> Array:
-    """States (n, 4) with θ1 = 0, ω1 > 0 and that energy at points (θ2, p2), (n, 2).
-
-    ω1 = √((2 B (E − V) − p2²)/(A B − C² cos² θ2)), ω2 = (p2 − C cos θ2 ω1)/B; NaN where there is
-    none.
-    """
-    import numpy as np
-
-    of, theta2, p2 = _engine.constants(system._description()), points[:, 0], points[:, 1]
-    coupling = of["C"] * np.cos(theta2)
-    sine = of["C"] * np.sin(theta2)
-    kinetic = energy - 2.0 * of["E"] * np.sin(0.5 * theta2) ** 2
-    room = 2.0 * of["B"] * kinetic - p2**2
-    first = np.sqrt(np.where(room > 0.0, room, math.nan) / (of["determinant_floor"] + sine**2))
-    return np.stack(
-        [np.zeros_like(first), theta2, first, (p2 - coupling * first) / of["B"]], axis=-1
-    )
-
-
-def reach(system: System, energy: float) -> tuple[tuple[float, float], tuple[float, float]]:
-    """The least rectangle of (θ2, p2) that holds the section of an energy."""
-    of = _engine.constants(system._description())
-    half = energy / (2.0 * of["E"])  # sin²(θ2/2) at rest
-    angle = math.pi if half >= 1.0 else 2.0 * math.asin(math.sqrt(half))
-    momentum = math.sqrt(2.0 * of["B"] * energy)
-    return (-angle, angle), (-momentum, momentum)
