@@ -1,6 +1,7 @@
 // What the language has no operator for: square roots of lanes, and the rounding error of a product.
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <utility>
@@ -58,6 +59,21 @@ PENDULA_INLINE void store_pairs(pack<double, W> first, pack<double, W> second, d
     store(detail::shuffled(first, second, [](int i) { return i / 2 + (i % 2) * W; }), to);
     store(detail::shuffled(first, second, [](int i) { return (i + W) / 2 + (i % 2) * W; }), to + W);
   }
+}
+
+// Twice as many lanes, and each half of them.
+template <int W>
+PENDULA_INLINE pack<double, 2 * W> joined(pack<double, W> low, pack<double, W> high) {
+  pack<double, 2 * W> both;
+  std::memcpy(&both, &low, sizeof low);
+  std::memcpy(reinterpret_cast<char*>(&both) + sizeof low, &high, sizeof high);
+  return both;
+}
+template <int W>
+PENDULA_INLINE std::array<pack<double, W / 2>, 2> halves(pack<double, W> both) {
+  std::array<pack<double, W / 2>, 2> result;
+  std::memcpy(&result, &both, sizeof both);
+  return result;
 }
 
 // The lanes in another order, or some of them more than once.

@@ -77,7 +77,7 @@ class driven_linear_pendulum_series : public one_bob_series<S> {
     for (int k = 0; k < this->order_; ++k) {
       w[k + 1] = (drive.order() - (of.frequency_squared * angle + of.viscous * w[k])) * inverse[k + 1];
       angle = w[k] * inverse[k + 1];
-      drive.advance(inverse[k + 1]);
+      drive.advance(sine_with_cosine<S>::factor(inverse[k + 1]));
     }
   }
 };

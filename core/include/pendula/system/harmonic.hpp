@@ -1,6 +1,7 @@
 // What swings as amplitude · cos(Ω t + φ): the torque of a drive, the acceleration of a pivot.
 #pragma once
 
+#include "pendula/scalar/machine.hpp"
 #include "pendula/scalar/product.hpp"
 #include "pendula/scalar/rough_powers.hpp"
 #include "pendula/scalar/sincos.hpp"
@@ -51,6 +52,42 @@ struct harmonic {
   }
 };
 
+// A sine and a cosine, of any scalar and, of one trajectory of doubles, in two lanes: the same operations on the same
+// numbers.
+template <class S>
+struct sine_with_cosine {
+  S sine, cosine;
+
+  PENDULA_INLINE S first() const { return sine; }
+  PENDULA_INLINE S second() const { return cosine; }
+  PENDULA_INLINE static sine_with_cosine of(const S& s, const S& c) { return {s, c}; }
+  PENDULA_INLINE friend sine_with_cosine operator+(const sine_with_cosine& a, const sine_with_cosine& b) {
+    return {a.sine + b.sine, a.cosine + b.cosine};
+  }
+  PENDULA_INLINE friend sine_with_cosine operator*(const sine_with_cosine& a, const S& b) {
+    return {a.sine * b, a.cosine * b};
+  }
+  // By a quarter turn, and times a factor: sin → cos, cos → −sin.
+  using turn = S;
+  PENDULA_INLINE static turn factor(const S& x) { return x; }
+  PENDULA_INLINE sine_with_cosine turned(const turn& by) const { return {cosine * by, sine * -by}; }
+};
+template <>
+struct sine_with_cosine<double> {
+  pack<double, 2> both;
+
+  PENDULA_INLINE double first() const { return both[0]; }
+  PENDULA_INLINE double second() const { return both[1]; }
+  PENDULA_INLINE static sine_with_cosine of(double s, double c) { return {lanes_of(s, c)}; }
+  PENDULA_INLINE friend sine_with_cosine operator+(sine_with_cosine a, sine_with_cosine b) { return {a.both + b.both}; }
+  PENDULA_INLINE friend sine_with_cosine operator*(sine_with_cosine a, double b) {
+    return {a.both * pack<double, 2>(b)};
+  }
+  using turn = pack<double, 2>;
+  PENDULA_INLINE static turn factor(double x) { return lanes_of(x, -x); }
+  PENDULA_INLINE sine_with_cosine turned(turn by) const { return {rearranged<1, 0>(both) * by}; }
+};
+
 // Its Taylor series, order by order: c' = −Ω s, s' = Ω c.
 template <class S>
 class harmonic_series {
@@ -58,18 +95,18 @@ class harmonic_series {
   PENDULA_INLINE void start(const harmonic<S>& of, const head_and_tail<S>& t) {
     frequency_ = of.frequency;
     const auto [s, c] = of.turned(t);
-    cosine_ = of.amplitude * c;
-    sine_ = of.amplitude * s;
+    now_ = pair::of(of.amplitude * s, of.amplitude * c);
   }
-  PENDULA_INLINE S order() const { return cosine_; }
-  PENDULA_INLINE void advance(const S& inverse) {
-    const S next = -(frequency_ * sine_ * inverse);
-    sine_ = frequency_ * cosine_ * inverse;
-    cosine_ = next;
+  PENDULA_INLINE S order() const { return now_.second(); }
+  PENDULA_INLINE void advance(const typename sine_with_cosine<S>::turn& inverse) {
+    now_ = now_.turned(inverse * frequency_);
   }
 
  private:
-  S frequency_{0.0}, cosine_{0.0}, sine_{0.0};
+  using pair = sine_with_cosine<S>;
+
+  S frequency_{0.0};
+  pair now_ = pair::of(S(0.0), S(0.0));
 };
 
 }  // namespace pendula::inline PENDULA_MACHINE
