@@ -32,6 +32,7 @@ export async function laboratory(): Promise<Laboratory> {
   const open = async (hash = "", options: BrowserContextOptions = {}): Promise<Opened> => {
     const context = await browser.newContext({
       viewport: { width: 1280, height: 900 },
+      serviceWorkers: "block", // they would fetch the page once more for each test
       ...options,
     });
     const page = await context.newPage();
@@ -39,7 +40,7 @@ export async function laboratory(): Promise<Laboratory> {
     page.on("console", (message) => said.push(`${message.type()}: ${message.text()}`));
     page.on("pageerror", (error) => said.push(`error: ${error.message}`));
     page.on("request", (request) => asked.push(request.url()));
-    await page.goto(hash.startsWith("file:") ? hash : url + hash);
+    await page.goto(/^\w+:/.test(hash) ? hash : url + hash);
     return { page, said, asked };
   };
   return {
