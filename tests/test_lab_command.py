@@ -156,6 +156,10 @@ def test_no_browser_is_opened_where_none_is_wanted_or_has_a_window(
     [
         ("lab '#system=simple&t_max=1&method=rk5'", "did you mean 'rk4'?"),
         ("lab '#system=simple&t_max=1&lang=fr'", "the link: lang must be one of en, es"),
+        (
+            "lab '#system=simple&t_max=1&digits=12'",
+            "digits = 12 is not kept by the page, which computes in doubles; use pendula rerun",
+        ),
         ("lab nothing.csv", "no such file: nothing.csv"),
         ("lab run.txt", "the file name must end in"),
         ("lab --port 70000", "--port must be a whole number from 1 to 65535"),

@@ -113,11 +113,14 @@ describe.skipIf(!hasChromium)("the page", () => {
   });
 
   test("the flip map: a click puts the start on the stage", async () => {
-    const { page } = await lab.open(`#${RODS}&t_max=30&view=map&lang=en`, STILL);
+    const { page } = await lab.open(`#${RODS}&t_max=30&view=map&map_t_max=5&lang=en`, STILL);
+    await page.getByText("no turn until 5 s", { exact: true }).waitFor();
     await page.getByText(/64 × 64|128 × 128/).waitFor();
     const box = (await page.locator(".map canvas").boundingBox())!;
     await page.mouse.click(box.x + box.width * 0.95, box.y + box.height * 0.5);
     await page.waitForFunction(() => !location.hash.includes("state=2.0943951023931953"));
+    await page.getByLabel("Shown").selectOption({ label: "MEGNO: regular or chaotic" });
+    await page.waitForFunction(() => /map_quantity=megno&map_t_max=5$/.test(location.hash));
     expect(await page.getByText(/turns over after [\d.]+ s/).textContent()).toContain("rod");
   });
 

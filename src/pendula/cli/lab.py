@@ -8,7 +8,10 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from pendula._messages import ArgumentError
+
 if TYPE_CHECKING:
+    from pendula.lab.recipe import Recipe
     from pendula.lab.server import LabServer
 
 
@@ -31,7 +34,7 @@ def _fragment_of(start: str) -> str:
     from pendula.lab.recipe import Recipe, losses, read_link
 
     if is_link(start):
-        read_link(start)
+        _check_shown(read_link(start), start)
         return f"#{start.strip().partition('#')[2]}"
     from pendula.cli.shown import held
     from pendula.io import load
@@ -43,7 +46,17 @@ def _fragment_of(start: str) -> str:
     run = load(start)
     if lost := losses(run):
         click.echo(f"{start}: shown without its {' and '.join(lost)}", err=True)
-    return Recipe.of(run).link()
+    recipe = Recipe.of(run)
+    _check_shown(recipe, start)
+    return recipe.link()
+
+
+def _check_shown(recipe: Recipe, start: str) -> None:
+    """Refuse what the page, which computes in doubles, would show otherwise than the run is."""
+    if "digits" in recipe.options:
+        rule = "digits = {value} is not kept by the page, which computes in doubles"
+        way_out = "use pendula rerun {start}"
+        raise ArgumentError("", rule, way_out, value=recipe.options["digits"], start=start)
 
 
 def _export(fragment: str, given: dict[str, Any]) -> None:

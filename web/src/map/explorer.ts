@@ -20,7 +20,7 @@ export const UNRESOLVED = 3;
 export const WAITS = 4;
 
 /** What a map shows: the time until a rod turns over, or how chaotic the motion is. */
-export type Quantity = "flips" | "megno";
+export type Quantity = "flip_time" | "megno";
 
 /** What is to be shown. */
 export interface Asked {

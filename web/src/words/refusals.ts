@@ -38,7 +38,18 @@ export const refusals = {
     "“{key}” must be two rising numbers, got {value}.",
     "«{key}» debe tener dos números crecientes, se dio {value}.",
   ],
-  link_most: ["“{key}” takes {most} at most.", "«{key}» admite {most} como máximo."],
+  link_most: [
+    "“{key}” takes at most {most}, each once; got {value}.",
+    "«{key}» admite como máximo {most}, cada uno una vez; se dio {value}.",
+  ],
+  link_tiny: [
+    "“{key}” is nearer to zero than the smallest number, got {value}; write 0.",
+    "«{key}» está más cerca de cero que el menor número, se dio {value}; escriba 0.",
+  ],
+  link_digits: [
+    "“{key}” = {value} is not kept by the page, which computes in doubles; use pendula rerun LINK, or leave it out.",
+    "«{key}» = {value} no lo cumple la página, que calcula con doubles; use pendula rerun ENLACE, o quítelo.",
+  ],
   rule_number: [
     "{key} must be a number, got {value}.",
     "{key} debe ser un número, se dio {value}.",
@@ -60,8 +71,8 @@ export const refusals = {
     "{key} debe estar entre {least} y {most}, se dio {value}.",
   ],
   rule_angle: [
-    "{key} must lie within ±2²⁶ rad, got {value}; take whole turns off.",
-    "{key} debe estar dentro de ±2²⁶ rad, se dio {value}; quite vueltas enteras.",
+    "{key} must have angles below 2²⁶ rad, got {value}; take whole turns off.",
+    "{key} debe tener ángulos por debajo de 2²⁶ rad, se dio {value}; quite vueltas enteras.",
   ],
   rule_differs: [
     "{key} must differ from the start’s time, got {value} s.",

@@ -119,6 +119,7 @@ export const views = {
   ],
   map_take: ["Show a double pendulum", "Mostrar un péndulo doble"],
   map_shows: ["Shown", "Se muestra"],
+  map_until: ["until", "hasta"],
   map_flips: ["time until a rod turns over", "tiempo hasta la vuelta de una varilla"],
   map_chaos: ["MEGNO: regular or chaotic", "MEGNO: regular o caótico"],
   map_megno: ["MEGNO {value}", "MEGNO {value}"],
