@@ -93,6 +93,8 @@ describe.skipIf(!hasChromium)("the page", () => {
     await page.setInputFiles("input[type=file]", file("t,theta\n0,0.5\n0.1,oops\n"));
     const line = page.locator(".view .wrong").filter({ hasText: /./ }); // the file is read meanwhile
     expect(await line.textContent()).toBe("Line 3, column 2: “oops” is no number.");
+    await page.setInputFiles("input[type=file]", { ...file("PK"), name: "swing.xlsx" });
+    await page.getByText("read this one in Python: pendula fit swing.xlsx").waitFor();
     await page.setInputFiles("input[type=file]", file("t;θ (°)\n0,0;30\n0,1;29\n0,2;25\n"));
     await page.getByRole("button", { name: "Start the run as measured" }).click();
     await page.waitForFunction(() => location.hash.includes("t_max=0.2"));

@@ -12,6 +12,7 @@ import { theme } from "../view/theme";
 import type { View } from "../view/views";
 import { fixed, t } from "../words/language";
 import { Refused } from "../words/refused";
+import { checkText } from "./formats";
 import { guess, type Reading, type Series, seriesOf, startOf, type Unit } from "./series";
 import { decoded, type Table, tableOf } from "./table";
 
@@ -68,6 +69,7 @@ export class MeasuredView implements View {
     if (!file) return;
     const bytes = new Uint8Array(await file.arrayBuffer());
     this.attempt(() => {
+      checkText(file.name, bytes);
       const table = tableOf(decoded(bytes));
       const reading = guess(table);
       seriesOf(table, reading);

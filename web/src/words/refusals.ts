@@ -91,12 +91,16 @@ export const refusals = {
     "{key} no se admite con {method}; quítelo.",
   ],
   data_too_large: [
-    "The file has more than 64 MB; take a shorter recording, or pendula.measured.",
-    "El archivo tiene más de 64 MB; tome una grabación más corta o pendula.measured.",
+    "The file has more than 64 MB; take a shorter recording, or read it in Python: pendula fit FILE",
+    "El archivo tiene más de 64 MB; tome una grabación más corta o léalo en Python: pendula fit ARCHIVO",
+  ],
+  data_format: [
+    "The page reads text tables alone; read this one in Python: {command}",
+    "La página solo lee tablas de texto; lea este archivo en Python: {command}",
   ],
   data_no_text: [
-    "This is no text table; save it as CSV, or read it with pendula.measured.",
-    "No es una tabla de texto; guárdela como CSV o léala con pendula.measured.",
+    "This is no text table; save it as CSV, or read it in Python: pendula fit FILE",
+    "No es una tabla de texto; guárdela como CSV o léala en Python: pendula fit ARCHIVO",
   ],
   data_empty: [
     "The file has fewer than two rows of numbers.",
