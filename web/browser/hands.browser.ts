@@ -75,9 +75,9 @@ describe.skipIf(!hasChromium)("a phone", () => {
   test("a tab that was hidden goes on where it stood, on the same places", async () => {
     const before = await stood(page);
     await page.evaluate(() => document.querySelector<HTMLElement>(".round.main")!.click());
-    const [left, found] = await page.evaluate(hideFor, 1500);
+    const [left, found] = await page.evaluate(hideFor, 1000);
     await page.evaluate(() => document.querySelector<HTMLElement>(".round.main")!.click());
-    expect(found - left).toBeLessThan(1); // the second and a half was not made up for
+    expect(found - left).toBeLessThan(0.7); // the hidden second was not made up for
     expect(await stood(page)).toBe(before);
   });
 });

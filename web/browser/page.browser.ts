@@ -1,6 +1,11 @@
 import { afterAll, beforeAll, describe, expect, test } from "vitest";
 import { computed, hasChromium, type Laboratory, laboratory, RODS, STILL } from "./laboratory";
 
+// What pendula rerun gives for it: its energies, work and heat; 9.8 J times its energy error.
+const BALANCE =
+  "Kinetic 0.04806 J, potential 0.3839 J; since the start −1.468 J of work went in and 2.609 J of heat out: " +
+  "the energy is off their balance by −1.5 · 10⁻¹⁵ J.";
+
 describe.skipIf(!hasChromium)("the page", () => {
   let lab: Laboratory;
   beforeAll(async () => {
@@ -124,6 +129,16 @@ describe.skipIf(!hasChromium)("the page", () => {
     await page.getByLabel("Shown").selectOption({ label: "MEGNO: regular or chaotic" });
     await page.waitForFunction(() => /map_quantity=megno&map_t_max=5$/.test(location.hash));
     expect(await page.getByText(/turns over after [\d.]+ s/).textContent()).toContain("rod");
+  });
+
+  test("work and heat beside the energies: those of pendula, at the end of the run", async () => {
+    const drive = "system=driven&form=bob&viscous=0.2&torque=1&drive_frequency=2";
+    const { page } = await lab.open(`#${drive}&state=1,0&t_max=10&every=0.005&lang=en`, STILL);
+    const said = page.getByText(/of work went in/);
+    await said.waitFor({ state: "attached" });
+    await page.getByRole("slider", { name: "Time of the motion" }).press("End");
+    await page.waitForFunction(() => document.querySelector(".clock")?.textContent === "10.000 s");
+    expect(await said.textContent()).toBe(BALANCE);
   });
 
   test("embedded: the stage and its controls alone", async () => {

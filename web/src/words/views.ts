@@ -67,9 +67,13 @@ export const views = {
     "Kinetic {kinetic} J, potential {potential} J; since the start the total has changed by {change} J.",
     "Cinética {kinetic} J, potencial {potential} J; desde el inicio el total ha cambiado {change} J.",
   ],
+  energy_text_waits: [
+    "Kinetic {kinetic} J, potential {potential} J.",
+    "Cinética {kinetic} J, potencial {potential} J.",
+  ],
   energy_text_real: [
-    "Kinetic {kinetic} J, potential {potential} J; friction and drive have changed the total by {change} J.",
-    "Cinética {kinetic} J, potencial {potential} J; rozamiento y excitación han cambiado el total {change} J.",
+    "Kinetic {kinetic} J, potential {potential} J; since the start {work} J of work went in and {heat} J of heat out: the energy is off their balance by {error} J.",
+    "Cinética {kinetic} J, potencial {potential} J; desde el inicio entraron {work} J de trabajo y salieron {heat} J de calor: la energía se aparta de su balance en {error} J.",
   ],
   balance_text: [
     "Energy, work done since the start and heat given off.",
