@@ -5,6 +5,7 @@ from __future__ import annotations
 import base64
 import hashlib
 import re
+import shlex
 import webbrowser
 from pathlib import Path
 
@@ -14,6 +15,7 @@ import pendula
 from commands import Call, interrupted
 from lab_pages import FILES, write_page
 from pendula.lab import page, read_link
+from pendula.lab.address import entries_of
 from pendula.lab.server import LabServer
 
 LINK = "#system=simple&length=0.5&state=3,0.1&t_max=2&method=rk4&step=0.01"
@@ -137,6 +139,61 @@ def test_what_the_page_does_not_show_of_a_file_is_told(call: Call, opened: list[
     assert "method=taylor" in opened[0]
 
 
+RECTANGLE = "--theta1=-3rad:2rad --theta2 0rad:3rad --size 4x4 --t-max 4s"
+
+
+@pytest.mark.usefixtures("small_page")
+@pytest.mark.parametrize(
+    ("line", "keys", "lost"),
+    [
+        ("flip double --bobs --m1 2kg", {"map_quantity": "flip_time"}, ""),
+        ("flip double --which 2 --tolerance 1e-6", {"map_quantity": "flip_time"}, "rod, tolerance"),
+        ("megno double", {"map_quantity": "megno"}, "tolerance"),
+    ],
+)
+def test_a_map_is_opened_as_what_it_maps(
+    line: str, keys: dict[str, str], lost: str, call: Call, opened: list[str]
+) -> None:
+    assert call(f"map {line} {RECTANGLE} -o map.zarr")[0] == 0
+    code, _, err = call("lab map.zarr --port 0")
+    assert code == 0
+    told = f"map.zarr: shown without its {lost.replace(', ', ' and ')}\n" if lost else ""
+    assert err == f"{told}Ctrl-C ends the laboratory\n"
+    entries = entries_of(opened[0])
+    wanted = {"view": "map", "map_theta1": "-3,2", "map_theta2": "0,3", "map_t_max": "4", **keys}
+    assert {key: entries[key] for key in wanted} == wanted
+    recipe = read_link(opened[0])
+    assert recipe.state == (-0.5, 1.5, 0.0, 0.0)
+    if "--bobs" in line:
+        assert recipe.system == pendula.DoublePendulum.bobs(m1=2.0)
+
+
+@pytest.mark.usefixtures("small_page")
+def test_a_map_of_another_kind_is_not_shown(call: Call, opened: list[str]) -> None:
+    assert call(f"map sali double {RECTANGLE} -o map.zarr")[0] == 0
+    code, _, err = call("lab map.zarr")
+    assert (code, opened) == (2, [])
+    assert err == (
+        "pendula: map.zarr must hold a map of flips or of MEGNO to be shown in the laboratory, "
+        "got one of 'sali'; use pendula show\n"
+    )
+
+
+@pytest.mark.usefixtures("small_page")
+@pytest.mark.parametrize("name", ["swing.csv", "swing.txt", "swing.xlsx", "swing 1.mat"])
+def test_a_table_of_measured_motion_is_told_where_to_go(
+    name: str, call: Call, opened: list[str], tmp_path: Path
+) -> None:
+    (tmp_path / name).write_text("t,theta\n0,0.5\n0.1,0.4\n")
+    code, _, err = call(f"lab '{name}'")
+    assert (code, opened) == (2, [])
+    assert err == (
+        f"pendula: {name} was not written by pendula; open pendula lab "
+        f"'#system=simple&t_max=10&view=data' and drop a text table of measured motion there, "
+        f"or use pendula fit {shlex.quote(name)}\n"
+    )
+
+
 @pytest.mark.usefixtures("small_page")
 @pytest.mark.parametrize("option", ["--no-browser", ""])
 def test_no_browser_is_opened_where_none_is_wanted_or_has_a_window(
@@ -182,7 +239,7 @@ def test_a_file_of_another_kind_is_not_shown(call: Call, opened: list[str]) -> N
     code, _, err = call("lab events.json")
     assert (code, opened) == (2, [])
     assert err == (
-        "pendula: events.json must hold a trajectory to be shown in the laboratory, "
+        "pendula: events.json must hold a trajectory or a map to be shown in the laboratory, "
         "got a file of the kind 'events'; use pendula show\n"
     )
 
