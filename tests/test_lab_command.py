@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import base64
-import hashlib
 import re
 import shlex
 import webbrowser
@@ -13,7 +11,7 @@ import pytest
 
 import pendula
 from commands import Call, interrupted
-from lab_pages import FILES, write_page
+from lab_pages import write_page
 from pendula.lab import page, read_link
 from pendula.lab.address import entries_of
 from pendula.lab.server import LabServer
@@ -273,71 +271,3 @@ def test_ctrl_c_ends_the_server(tmp_path: Path) -> None:
     assert ended == 130
     assert out.startswith("http://127.0.0.1:")
     assert err == "Ctrl-C ends the laboratory\npendula: interrupted\n"
-
-
-# ---- export ----
-
-
-def policy_and_page(path: Path) -> tuple[str, bytes]:
-    """The policy that an export has put into its page, and the page without it."""
-    html = path.read_bytes()
-    found = re.search(rb'\n    <meta http-equiv="Content-Security-Policy" content="(.*)" />', html)
-    assert found is not None
-    assert html[: found.start()].endswith(b"<head>")
-    return found[1].decode(), html.replace(found[0], b"")
-
-
-@pytest.mark.usefixtures("small_page")
-def test_one_file_is_exported(call: Call, tmp_path: Path) -> None:
-    assert call(f"lab '{LINK}' --export class.html") == (0, f"class.html{LINK}\n", "")
-    policy, html = policy_and_page(tmp_path / "class.html")
-    assert html == FILES["lab.html"]
-    for text in (b"f()", b"a{}\nb{}"):
-        digest = base64.b64encode(hashlib.sha256(text).digest()).decode()
-        assert f"'sha256-{digest}'" in policy
-    assert "script-src 'self'" not in policy
-    assert "unsafe-inline" not in policy
-    code, _, err = call("lab --export class.html")
-    assert code == 2
-    assert "class.html exists" in err
-    assert "--force" in err
-    assert call("lab --export class.html --force")[0] == 0
-
-
-@pytest.mark.usefixtures("small_page")
-def test_a_folder_is_exported(call: Call, tmp_path: Path) -> None:
-    assert call("lab --export site") == (0, "site/index.html\n", "")
-    written = {
-        path.relative_to(tmp_path / "site").as_posix(): path.read_bytes()
-        for path in (tmp_path / "site").rglob("*")
-        if path.is_file()
-    }
-    policy, written["index.html"] = policy_and_page(tmp_path / "site/index.html")
-    assert "script-src 'self' 'wasm-unsafe-eval'" in policy
-    assert written == {
-        name: data for name, data in FILES.items() if name not in ("lab.html", "assets/notes.md")
-    }
-    assert call("lab --export site")[0] == 2
-    (tmp_path / "site/assets/old.js").touch()
-    assert call("lab --export site --force")[0] == 0
-    assert not (tmp_path / "site/assets/old.js").exists()
-
-
-@pytest.mark.usefixtures("small_page")
-def test_a_folder_with_anything_else_is_never_emptied(call: Call, tmp_path: Path) -> None:
-    (tmp_path / "site").mkdir()
-    (tmp_path / "site/thesis.tex").write_text("years of work")
-    code, _, err = call("lab --export site --force")
-    assert code == 2
-    assert err.startswith("pendula: site holds 'thesis.tex', which is no part of the laboratory")
-    assert (tmp_path / "site/thesis.tex").read_text() == "years of work"
-
-
-@pytest.mark.usefixtures("small_page")
-def test_an_export_that_fails_leaves_nothing(call: Call, tmp_path: Path) -> None:
-    assert call("lab --export nowhere/lab.html")[0] == 2
-    (page.STATIC / "assets/a.js").unlink()
-    (page.STATIC / "assets/a.js").symlink_to(page.STATIC / "gone.js")
-    (page.STATIC / "lab.html").unlink()
-    assert call("lab --export lab.html")[0] == 1
-    assert [each.name for each in tmp_path.iterdir()] == ["static"]
