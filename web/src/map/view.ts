@@ -136,7 +136,7 @@ export class MapView implements View {
   private draw(s: Surface, width: number, height: number): void {
     const { theta1, theta2 } = this.rectangle;
     this.plot = new Plot(s, width, height, axis(theta1), axis(theta2));
-    drawMap(this.plot, this.explorer.levels, this.cross, height);
+    drawMap(this.plot, this.explorer.levels, this.cross);
   }
 
   private angleAt(x: number, y: number): [number, number] {

@@ -5,7 +5,7 @@ import { el, fill, tick } from "../controls/dom";
 import { EXACT, systemOf } from "../recipe/recipe";
 import type { Ghost } from "../run/ghosts";
 import { conservative, type Lab } from "../run/lab";
-import { fixed, powerOfTen, t } from "../words/language";
+import { fixed, powerOfTen, shown, t } from "../words/language";
 import type { Key } from "../words/words";
 import { Figure } from "./figure";
 import { placesWithin, timeSpan } from "./graphs";
@@ -156,8 +156,8 @@ export class CompareView implements View {
         "tr",
         {},
         name,
-        kept && el("td", {}, powerOfTen(ghost.drift[at] ?? 0)),
-        el("td", {}, `${powerOfTen(ghost.distance[at] ?? 0)} rad`),
+        kept && el("td", {}, shown(ghost.drift[at] ?? 0, 2)),
+        el("td", {}, shown(ghost.distance[at] ?? 0, 2)),
         el("td", {}, until(ghost)),
       );
     });

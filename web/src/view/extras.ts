@@ -140,13 +140,9 @@ export class Extras {
       }
       plot.upright(motion.times[lab.clock.place], theme().line);
     });
-    s.font = `12px ${theme().font}`;
-    s.textAlign = "right";
-    s.textBaseline = "top";
-    rows.forEach(([name, values, colour], i) => {
-      s.fillStyle = colour;
-      s.fillText(`${name} ${fixed(values[now], 3)} J`, plot.right - 4, plot.top + 2 + 16 * i);
-    });
+    plot.names(
+      rows.map(([name, values, colour]) => [`${name} ${fixed(values[now], 3)} J`, colour]),
+    );
   }
 }
 

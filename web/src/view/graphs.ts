@@ -79,6 +79,19 @@ function drawAngles(lab: Lab, s: Surface, width: number, height: number): void {
     }
     if (lab.horizon !== null) plot.upright(lab.horizon, theme().warm);
   });
+  const twin = [
+    [t("non_linear"), theme().accent],
+    [t("linear_model"), theme().methods.linear],
+  ] as const;
+  plot.names(half === 2 ? parts("θ") : lab.twin && lab.twinShown ? twin : []);
+}
+
+/** The names of a double pendulum's two curves. */
+function parts(letter: string): (readonly [string, string])[] {
+  return [
+    [`${letter}₁`, theme().accent],
+    [`${letter}₂`, theme().second],
+  ];
 }
 
 function dots(plot: Plot, measured: { t: Float64Array; theta: Float64Array }): void {
@@ -137,6 +150,7 @@ function stillPhase(lab: Lab, s: Surface, width: number, height: number): void {
     for (const { line, colour } of curves) plot.line(lab.motion.count, line(), colour, 1.2);
     s.globalAlpha = 1;
   });
+  if (curves.length === 2) plot.names(parts("ω"));
 }
 
 function drawPhase(lab: Lab, s: Surface, width: number, height: number): void {

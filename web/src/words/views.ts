@@ -111,7 +111,7 @@ export const views = {
   right_until: ["right until", "correcto hasta"],
   to_the_end: ["the end", "el final"],
   drift_now: ["energy drift", "deriva de energía"],
-  distance_now: ["distance", "distancia"],
+  distance_now: ["distance (rad)", "distancia (rad)"],
   map_title: ["Map of the starts", "Mapa de los inicios"],
   map_intro: [
     "Each point is a start at rest; a click puts it on the stage.",
@@ -156,7 +156,7 @@ export const views = {
     "Inicios de {low1}° a {high1}° y de {low2}° a {high2}°: el {flipped} % da la vuelta, el {never} % no hasta {time} s, el {forbidden} % no puede.",
   ],
   map_keys: [
-    "Arrow keys move the cross, plus and minus zoom, Enter puts the start on the stage.",
-    "Las flechas mueven la cruz, más y menos cambian la escala, Intro lleva el inicio al escenario.",
+    "The wheel or two fingers zoom, dragging moves the map. By keyboard: arrow keys move the cross, plus and minus zoom, Enter puts the start on the stage.",
+    "La rueda o dos dedos cambian la escala; arrastrar mueve el mapa. Con el teclado: las flechas mueven la cruz, más y menos cambian la escala, Intro lleva el inicio al escenario.",
   ],
 } as const satisfies Record<string, Row>;
