@@ -41,7 +41,11 @@ export async function laboratory(): Promise<Laboratory> {
     const page = await context.newPage();
     if (before) await page.addInitScript(before);
     const [said, asked]: [string[], string[]] = [[], []];
-    page.on("console", (message) => said.push(`${message.type()}: ${message.text()}`));
+    page.on("console", (message) => {
+      if (!message.text().includes("blocked by Playwright")) {
+        said.push(`${message.type()}: ${message.text()}`);
+      }
+    });
     page.on("pageerror", (error) => said.push(`error: ${error.message}`));
     page.on("request", (request) => asked.push(request.url()));
     await page.goto(/^\w+:/.test(hash) ? hash : url + hash);

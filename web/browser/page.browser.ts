@@ -109,13 +109,12 @@ describe.skipIf(!hasChromium)("the page", () => {
   test("three ghosts: the median frame takes at most 8 ms of the main thread", async () => {
     const { page } = await lab.open(`#${RODS}&t_max=30&view=compare&compare=rk4,dop853,gauss4`);
     await page.waitForFunction(() => document.querySelectorAll(".view tbody tr").length === 3);
-    await page.waitForTimeout(3000);
+    await page.waitForFunction(() => performance.getEntriesByName("render").length > 60);
     const times = await page.evaluate(() =>
       performance.getEntriesByName("render").map((each) => each.duration),
     );
     const median = times.sort((a, b) => a - b)[Math.floor(times.length / 2)];
     console.info(`median of ${times.length} frames: ${median.toFixed(2)} ms`);
-    expect(times.length).toBeGreaterThan(20);
     expect(median).toBeLessThanOrEqual(8);
   });
 
