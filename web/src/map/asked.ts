@@ -6,7 +6,7 @@ import { checkPage } from "../recipe/address";
 import type { Page } from "../recipe/recipe";
 import type { Lab } from "../run/lab";
 import { t } from "../words/language";
-import type { Quantity } from "./explorer";
+import type { Quantity } from "./level";
 
 const UNTIL = 20; // s
 const SLIDER = [5, 100] as const; // s

@@ -3,7 +3,7 @@
 import { DEGREES } from "../view/graphs";
 import type { Axis, Plot } from "../view/plot";
 import { theme } from "../view/theme";
-import type { Level, Range } from "./explorer";
+import type { Level, Range } from "./level";
 
 /** An axis of the map; its letter is drawn beside it. */
 export function axis([low, high]: Range): Axis {
