@@ -137,6 +137,17 @@ def test_what_the_page_does_not_show_of_a_file_is_told(call: Call, opened: list[
     assert "method=taylor" in opened[0]
 
 
+@pytest.mark.usefixtures("small_page")
+def test_a_file_of_more_than_doubles_is_not_shown(call: Call, opened: list[str]) -> None:
+    assert call("solve simple --digits 12 --t-max 2s -o run.csv")[0] == 0
+    code, _, err = call("lab run.csv")
+    assert (code, opened) == (2, [])
+    assert err == (
+        "pendula: digits = 12 is not kept by the page, which computes in doubles; "
+        "use pendula rerun 'run.csv'\n"
+    )
+
+
 RECTANGLE = "--theta1=-3rad:2rad --theta2 0rad:3rad --size 4x4 --t-max 4s"
 
 

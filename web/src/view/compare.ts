@@ -29,6 +29,7 @@ export class CompareView implements View {
   constructor(private readonly lab: Lab) {
     this.lay();
     if (lab.page.compare.length === 0) lab.changePage({ compare: this.first() });
+    else void lab.ghosts.judge();
   }
 
   /** Makes what depends on the system. */
@@ -183,7 +184,9 @@ export class CompareView implements View {
     for (const figure of this.drawn) figure.tell();
   }
 
-  leave(): void {}
+  leave(): void {
+    this.lab.ghosts.leave();
+  }
 }
 
 function until(ghost: Ghost): string {
