@@ -104,6 +104,8 @@ describe.skipIf(!hasChromium)("the page", () => {
     await page.getByRole("button", { name: "Start the run as measured" }).click();
     await page.waitForFunction(() => location.hash.includes("t_max=0.2"));
     expect(await page.locator("pre.code").textContent()).toContain('unit="deg"');
+    await page.setInputFiles("input[type=file]", { ...file("PK"), name: "swing.mat" });
+    await page.getByText("pendula fit swing.mat").waitFor(); // beside the table that stays
   });
 
   test("three ghosts: the median frame takes at most 8 ms of the main thread", async () => {

@@ -31,7 +31,7 @@ function bars(lab: Lab): Bar[] {
   const of = (values?: Float64Array) => (at === null ? Number.NaN : values![at]);
   return [
     ...own,
-    [t("work"), of(lab.balance?.work), theme().warm],
+    [t("work"), of(lab.balance?.work), theme().methods.linear],
     [t("heat"), of(lab.balance?.heat), theme().warm],
   ];
 }

@@ -8,7 +8,7 @@ import type { Lab } from "../run/lab";
 import type { Motion } from "../run/motion";
 import { fixed, t } from "../words/language";
 import type { Key } from "../words/words";
-import { DEGREES, type Graph, timeSpan } from "./graphs";
+import { DEGREES, type Graph, placesWithin, timeSpan } from "./graphs";
 import { around, Plot } from "./plot";
 import type { Surface } from "./svg";
 import { theme } from "./theme";
@@ -124,14 +124,16 @@ export class Extras {
     const balance = now === null ? null : lab.balance;
     const span = timeSpan(lab);
     const { change = [], work = [], heat = [], stride = 1 } = balance ?? {};
-    const [low, high] = around([0, ...work, ...heat, ...change], 1e-12);
+    const places = placesWithin(motion, span).map((place) => Math.floor(place / stride));
+    const seen = [work, heat, change].flatMap((values) => [...values.slice(...places)]);
+    const [low, high] = around(seen, 1e-12);
     const x = { low: span[0], high: span[1], label: "t / s" };
     const plot = new Plot(s, width, height, x, { low, high, label: "J" });
     plot.frame();
     if (now === null) return;
     const rows: [string, ArrayLike<number>, string][] = [
       ["ΔE", change, theme().ink],
-      [t("work"), work, theme().second],
+      [t("work"), work, theme().methods.linear],
       [t("heat"), heat, theme().warm],
     ];
     plot.clipped(() => {
