@@ -119,7 +119,7 @@ docs-facts: .venv/installed
 stubs: .venv/installed
 	$(BIN)/python -m nanobind.stubgen -q -m pendula._core -o src/pendula/_core.pyi
 
-bench: .venv/bench
+bench: .venv/bench $(PAGE)
 	$(BIN)/python -m benchmarks
 
 lock: .tools/bin/uv

@@ -6,7 +6,7 @@ import subprocess
 import sys
 from pathlib import Path
 
-from benchmarks import ensembles, exact, fit, peers, real, taylor
+from benchmarks import ensembles, exact, fit, lab, peers, real, taylor
 
 ROOT = Path(__file__).resolve().parent.parent
 BUILD = ROOT / "build" / "benchmarks"
@@ -81,6 +81,8 @@ def main() -> None:
     ensembles.report()
     print()
     fit.report()
+    print()
+    lab.report()
 
 
 if __name__ == "__main__":

@@ -1,11 +1,6 @@
 """The same work by pendula.solve, numba, numpy and SciPy; all reach the same state."""
 
 import importlib.util
-import os
-import subprocess
-import sys
-import time
-from collections.abc import Callable
 from typing import Any
 
 import numba
@@ -13,14 +8,10 @@ import numpy as np
 from scipy.integrate import solve_ivp
 
 import pendula
+from benchmarks.lanes import AT_ONE, START, STEP, TRAJECTORIES, best, on_machine
 from pendula._engine import machines
 
 A, B, C, D, E = 4.0 / 3.0, 1.0 / 3.0, 0.5, 1.5 * 9.81, 0.5 * 9.81
-START, STEP = (2.0, 2.5, 0.0, 0.0), 1e-4
-TRAJECTORIES = 4096  # at once, where numpy computes many
-AT_ONE = np.array(
-    [-1.01478186187538306, -1.12244606910181525, -7.26181086506237487, 5.72845783468323474]
-)
 
 
 @numba.njit(fastmath=True)
@@ -70,16 +61,6 @@ def numpy_rk4(y: Any, h: float, steps: int) -> Any:
     return y
 
 
-def best(run: Callable[[], Any], repeats: int) -> float:
-    """Least time of several runs [s]."""
-    times = []
-    for _ in range(repeats):
-        start = time.perf_counter()
-        run()
-        times.append(time.perf_counter() - start)
-    return min(times)
-
-
 def all_figures() -> dict[str, float]:
     """Nanoseconds a step and trajectory of each peer, and of pendula.solve."""
     system, steps = pendula.DoublePendulum.rods(gravity=9.81), 100_000
@@ -105,25 +86,6 @@ def all_figures() -> dict[str, float]:
     if importlib.util.find_spec("jax"):
         figures[f"JAX, vmap of {TRAJECTORIES}"] = by_jax(many) * 1e9
     return figures
-
-
-def by_ensemble() -> float:
-    """RK4 of many states by pendula.ensemble, one thread: seconds a step and trajectory."""
-    system, starts = pendula.DoublePendulum.rods(gravity=9.81), np.tile(START, (TRAJECTORIES, 1))
-
-    def ends(count: int) -> Any:
-        done = pendula.ensemble(system, starts, [count * STEP], "rk4", step=STEP, threads=1)
-        return done.states[:, -1]
-
-    assert np.abs(ends(10_000)[-1] - AT_ONE).max() < 1e-9
-    return best(lambda: ends(1000), 5) / (1000 * TRAJECTORIES)
-
-
-def on_machine(name: str) -> float:
-    """The same in a process of its own, by the loops that are built for a machine."""
-    command, environment = [sys.executable, "-m", __name__], os.environ | {"PENDULA_MACHINE": name}
-    told = subprocess.run(command, env=environment, check=True, capture_output=True, text=True)
-    return float(told.stdout)
 
 
 def by_scipy() -> float:
@@ -162,7 +124,3 @@ def by_jax(states: Any) -> float:
     ended = np.asarray(run(given))  # compiles
     assert np.abs(ended[0] - numpy_rk4(states[:, :1], STEP, steps)[:, 0]).max() < 1e-9
     return float(best(lambda: run(given).block_until_ready(), 5) / (steps * states.shape[1]))
-
-
-if __name__ == "__main__":
-    print(by_ensemble())

@@ -1,5 +1,6 @@
 """The documentation: links, languages, tables and versions are what the project is."""
 
+import json
 import re
 import subprocess
 import tomllib
@@ -178,6 +179,7 @@ def test_dependencies_are_told_exactly() -> None:
         "Run": project["dependencies"],
         "Development": groups["dev"],
         "Laboratory": groups["lab"],
+        "Page of the laboratory": json.loads(text_of(ROOT / "web/package.json"))["devDependencies"],
         "Benchmarks": groups["bench"],
     }
     wanted |= {f"Extra {name}": each for name, each in project["optional-dependencies"].items()}

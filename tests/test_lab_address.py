@@ -60,6 +60,11 @@ def test_a_bad_link_is_refused_in_a_line_that_names_the_key(case: dict[str, Any]
     assert case["names"] in message.removeprefix("the link: ").partition(" must")[0].split("; ")[0]
 
 
+@pytest.mark.parametrize("case", CASES["of Python alone"], ids=lambda case: case["link"])
+def test_a_link_that_the_page_refuses_is_read(case: dict[str, Any]) -> None:
+    assert case["names"] in read_link(case["link"]).options
+
+
 def test_the_way_out_of_a_link_names_its_keys() -> None:
     said = told(lambda: read_link("#system=simple&t_max=1&method=rk4"))
     assert said == "the link: step is needed by the fixed-step method 'rk4'; give step=0.001, say"

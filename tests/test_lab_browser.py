@@ -40,6 +40,7 @@ PARTED = """new Promise((done) => {
     if (clock && Number(clock[1]) > 13) done(clearInterval(look));
   }, 20);
 })"""  # the clock of the stage is beyond 13 s
+KEPT = "navigator.serviceWorker.ready.then(({ scope }) => scope)"
 PERIOD = f"Period: exact {pendula.SimplePendulum().period(2.0):.5g} s"  # of a release at 2 rad
 
 pytestmark = [
@@ -76,6 +77,14 @@ def test_every_built_file_is_served_and_the_page_holds_no_script() -> None:
 def test_the_server_shows_the_pendulum_of_a_link(tmp_path: Path) -> None:
     with serving() as server:
         check(f"{server.url}{LINK}", PERIOD, tmp_path)
+
+
+def test_the_page_is_kept_for_when_the_server_has_ended(tmp_path: Path) -> None:
+    with serving() as server, browser(tmp_path) as one:
+        one.open(f"{server.url}{LINK}")
+        assert one.shows(PERIOD)
+        assert one.value(KEPT) == server.url
+    assert one.said == []
 
 
 def test_a_link_is_refused_by_the_page_too(tmp_path: Path) -> None:

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-import base64
-import hashlib
 import re
+import shlex
 import webbrowser
 from pathlib import Path
 
@@ -12,8 +11,9 @@ import pytest
 
 import pendula
 from commands import Call, interrupted
-from lab_pages import FILES, write_page
+from lab_pages import write_page
 from pendula.lab import page, read_link
+from pendula.lab.address import entries_of
 from pendula.lab.server import LabServer
 
 LINK = "#system=simple&length=0.5&state=3,0.1&t_max=2&method=rk4&step=0.01"
@@ -138,6 +138,72 @@ def test_what_the_page_does_not_show_of_a_file_is_told(call: Call, opened: list[
 
 
 @pytest.mark.usefixtures("small_page")
+def test_a_file_of_more_than_doubles_is_not_shown(call: Call, opened: list[str]) -> None:
+    assert call("solve simple --digits 12 --t-max 2s -o run.csv")[0] == 0
+    code, _, err = call("lab run.csv")
+    assert (code, opened) == (2, [])
+    assert err == (
+        "pendula: digits = 12 is not kept by the page, which computes in doubles; "
+        "use pendula rerun 'run.csv'\n"
+    )
+
+
+RECTANGLE = "--theta1=-3rad:2rad --theta2 0rad:3rad --size 4x4 --t-max 4s"
+
+
+@pytest.mark.usefixtures("small_page")
+@pytest.mark.parametrize(
+    ("line", "keys", "lost"),
+    [
+        ("flip double --bobs --m1 2kg", {"map_quantity": "flip_time"}, ""),
+        ("flip double --which 2 --tolerance 1e-6", {"map_quantity": "flip_time"}, "rod, tolerance"),
+        ("megno double", {"map_quantity": "megno"}, "tolerance"),
+    ],
+)
+def test_a_map_is_opened_as_what_it_maps(
+    line: str, keys: dict[str, str], lost: str, call: Call, opened: list[str]
+) -> None:
+    assert call(f"map {line} {RECTANGLE} -o map.zarr")[0] == 0
+    code, _, err = call("lab map.zarr --port 0")
+    assert code == 0
+    told = f"map.zarr: shown without its {lost.replace(', ', ' and ')}\n" if lost else ""
+    assert err == f"{told}Ctrl-C ends the laboratory\n"
+    entries = entries_of(opened[0])
+    wanted = {"view": "map", "map_theta1": "-3,2", "map_theta2": "0,3", "map_t_max": "4", **keys}
+    assert {key: entries[key] for key in wanted} == wanted
+    recipe = read_link(opened[0])
+    assert recipe.state == (-0.5, 1.5, 0.0, 0.0)
+    if "--bobs" in line:
+        assert recipe.system == pendula.DoublePendulum.bobs(m1=2.0)
+
+
+@pytest.mark.usefixtures("small_page")
+def test_a_map_of_another_kind_is_not_shown(call: Call, opened: list[str]) -> None:
+    assert call(f"map sali double {RECTANGLE} -o map.zarr")[0] == 0
+    code, _, err = call("lab map.zarr")
+    assert (code, opened) == (2, [])
+    assert err == (
+        "pendula: map.zarr must hold a map of flips or of MEGNO to be shown in the laboratory, "
+        "got one of 'sali'; use pendula show\n"
+    )
+
+
+@pytest.mark.usefixtures("small_page")
+@pytest.mark.parametrize("name", ["swing.csv", "swing.txt", "swing.xlsx", "swing 1.mat"])
+def test_a_table_of_measured_motion_is_told_where_to_go(
+    name: str, call: Call, opened: list[str], tmp_path: Path
+) -> None:
+    (tmp_path / name).write_text("t,theta\n0,0.5\n0.1,0.4\n")
+    code, _, err = call(f"lab '{name}'")
+    assert (code, opened) == (2, [])
+    assert err == (
+        f"pendula: {name} was not written by pendula; open pendula lab "
+        f"'#system=simple&t_max=10&view=data' and drop a text table of measured motion there, "
+        f"or use pendula fit {shlex.quote(name)}\n"
+    )
+
+
+@pytest.mark.usefixtures("small_page")
 @pytest.mark.parametrize("option", ["--no-browser", ""])
 def test_no_browser_is_opened_where_none_is_wanted_or_has_a_window(
     option: str, call: Call, opened: list[str], monkeypatch: pytest.MonkeyPatch
@@ -156,6 +222,10 @@ def test_no_browser_is_opened_where_none_is_wanted_or_has_a_window(
     [
         ("lab '#system=simple&t_max=1&method=rk5'", "did you mean 'rk4'?"),
         ("lab '#system=simple&t_max=1&lang=fr'", "the link: lang must be one of en, es"),
+        (
+            "lab '#system=simple&t_max=1&digits=12'",
+            "digits = 12 is not kept by the page, which computes in doubles; use pendula rerun",
+        ),
         ("lab nothing.csv", "no such file: nothing.csv"),
         ("lab run.txt", "the file name must end in"),
         ("lab --port 70000", "--port must be a whole number from 1 to 65535"),
@@ -178,7 +248,7 @@ def test_a_file_of_another_kind_is_not_shown(call: Call, opened: list[str]) -> N
     code, _, err = call("lab events.json")
     assert (code, opened) == (2, [])
     assert err == (
-        "pendula: events.json must hold a trajectory to be shown in the laboratory, "
+        "pendula: events.json must hold a trajectory or a map to be shown in the laboratory, "
         "got a file of the kind 'events'; use pendula show\n"
     )
 
@@ -212,71 +282,3 @@ def test_ctrl_c_ends_the_server(tmp_path: Path) -> None:
     assert ended == 130
     assert out.startswith("http://127.0.0.1:")
     assert err == "Ctrl-C ends the laboratory\npendula: interrupted\n"
-
-
-# ---- export ----
-
-
-def policy_and_page(path: Path) -> tuple[str, bytes]:
-    """The policy that an export has put into its page, and the page without it."""
-    html = path.read_bytes()
-    found = re.search(rb'\n    <meta http-equiv="Content-Security-Policy" content="(.*)" />', html)
-    assert found is not None
-    assert html[: found.start()].endswith(b"<head>")
-    return found[1].decode(), html.replace(found[0], b"")
-
-
-@pytest.mark.usefixtures("small_page")
-def test_one_file_is_exported(call: Call, tmp_path: Path) -> None:
-    assert call(f"lab '{LINK}' --export class.html") == (0, f"class.html{LINK}\n", "")
-    policy, html = policy_and_page(tmp_path / "class.html")
-    assert html == FILES["lab.html"]
-    for text in (b"f()", b"a{}\nb{}"):
-        digest = base64.b64encode(hashlib.sha256(text).digest()).decode()
-        assert f"'sha256-{digest}'" in policy
-    assert "script-src 'self'" not in policy
-    assert "unsafe-inline" not in policy
-    code, _, err = call("lab --export class.html")
-    assert code == 2
-    assert "class.html exists" in err
-    assert "--force" in err
-    assert call("lab --export class.html --force")[0] == 0
-
-
-@pytest.mark.usefixtures("small_page")
-def test_a_folder_is_exported(call: Call, tmp_path: Path) -> None:
-    assert call("lab --export site") == (0, "site/index.html\n", "")
-    written = {
-        path.relative_to(tmp_path / "site").as_posix(): path.read_bytes()
-        for path in (tmp_path / "site").rglob("*")
-        if path.is_file()
-    }
-    policy, written["index.html"] = policy_and_page(tmp_path / "site/index.html")
-    assert "script-src 'self' 'wasm-unsafe-eval'" in policy
-    assert written == {
-        name: data for name, data in FILES.items() if name not in ("lab.html", "assets/notes.md")
-    }
-    assert call("lab --export site")[0] == 2
-    (tmp_path / "site/assets/old.js").touch()
-    assert call("lab --export site --force")[0] == 0
-    assert not (tmp_path / "site/assets/old.js").exists()
-
-
-@pytest.mark.usefixtures("small_page")
-def test_a_folder_with_anything_else_is_never_emptied(call: Call, tmp_path: Path) -> None:
-    (tmp_path / "site").mkdir()
-    (tmp_path / "site/thesis.tex").write_text("years of work")
-    code, _, err = call("lab --export site --force")
-    assert code == 2
-    assert err.startswith("pendula: site holds 'thesis.tex', which is no part of the laboratory")
-    assert (tmp_path / "site/thesis.tex").read_text() == "years of work"
-
-
-@pytest.mark.usefixtures("small_page")
-def test_an_export_that_fails_leaves_nothing(call: Call, tmp_path: Path) -> None:
-    assert call("lab --export nowhere/lab.html")[0] == 2
-    (page.STATIC / "assets/a.js").unlink()
-    (page.STATIC / "assets/a.js").symlink_to(page.STATIC / "gone.js")
-    (page.STATIC / "lab.html").unlink()
-    assert call("lab --export lab.html")[0] == 1
-    assert [each.name for each in tmp_path.iterdir()] == ["static"]

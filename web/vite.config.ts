@@ -1,5 +1,6 @@
 // Two builds of the same page: static files with relative paths and, in the mode "one-file", a single
 // HTML file that works from a disk and in a sandboxed frame.
+import { createHash } from "node:crypto";
 import { fileURLToPath } from "node:url";
 import type { Plugin } from "vite";
 import { defineConfig } from "vitest/config";
@@ -34,13 +35,44 @@ function inlineScript(code: string): string {
   return `<script type="module">${code.replaceAll("</script", "<\\/script")}</script>`;
 }
 
+const KEEPER = "service_worker"; // its address must not change, so its name has no hash
+
+const twoEntries = {
+  input: { index: here("index.html"), [KEEPER]: here(`src/offline/${KEEPER}.ts`) },
+  output: {
+    entryFileNames: ({ name }: { name: string }) =>
+      name === KEEPER ? "[name].js" : "assets/[name]-[hash].js",
+  },
+};
+
+/** Tells the service worker which files the page has, and which build they are of. */
+function keptOffline(): Plugin {
+  return {
+    name: "kept-offline",
+    enforce: "post",
+    generateBundle(_, bundle) {
+      const keeper = bundle[`${KEEPER}.js`];
+      if (keeper?.type !== "chunk") throw new Error("no service worker was built");
+      const parts = Object.entries(bundle).filter(([, part]) => part !== keeper);
+      const hash = createHash("sha256").update(keeper.code);
+      for (const [name, part] of parts.sort(([a], [b]) => (a < b ? -1 : 1))) {
+        hash.update(name).update(part.type === "chunk" ? part.code : part.source);
+      }
+      const files = parts.map(([name]) => name).filter((name) => name !== "index.html");
+      keeper.code = keeper.code
+        .replaceAll("BUILD_FILES", JSON.stringify(files))
+        .replaceAll("BUILD_HASH", JSON.stringify(hash.digest("hex").slice(0, 16)));
+    },
+  };
+}
+
 export default defineConfig(({ mode }) => {
   const alone = mode === "one-file";
   return {
     base: "./",
     assetsInclude: ["**/*.wasm"],
     resolve: { alias: { "#source": here(`src/source/${alone ? "one_file" : "files"}.ts`) } },
-    plugins: alone ? [inOneFile()] : [],
+    plugins: [alone ? inOneFile() : keptOffline()],
     build: {
       outDir: here("../src/pendula/lab/static"),
       emptyOutDir: !alone,
@@ -48,6 +80,7 @@ export default defineConfig(({ mode }) => {
       assetsInlineLimit: 0,
       modulePreload: { polyfill: false },
       reportCompressedSize: false,
+      rolldownOptions: alone ? {} : twoEntries,
     },
     // From a disk browsers start no worker that is a module.
     worker: { format: alone ? "iife" : "es" },

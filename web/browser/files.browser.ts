@@ -5,7 +5,7 @@ import { execFileSync } from "node:child_process";
 import { existsSync, mkdtempSync, readFileSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
-import { fileURLToPath, pathToFileURL } from "node:url";
+import { pathToFileURL } from "node:url";
 import type { Page } from "playwright-core";
 import { afterAll, beforeAll, describe, expect, test } from "vitest";
 import {
@@ -14,12 +14,11 @@ import {
   hasChromium,
   type Laboratory,
   laboratory,
+  PYTHON,
   RODS,
   STILL,
 } from "./laboratory";
 
-const PYTHON =
-  process.env.PENDULA_PYTHON ?? fileURLToPath(new URL("../../.venv/bin/python", import.meta.url));
 const folder = mkdtempSync(join(tmpdir(), "pendula-lab-"));
 
 // Exits with 1 where a column of the file has other bits than the run made again.

@@ -6,6 +6,8 @@ import { type Browser, type BrowserContextOptions, chromium, type Page } from "p
 import { serve } from "./serve";
 
 export const BUILT = fileURLToPath(new URL("../../src/pendula/lab/static", import.meta.url));
+export const PYTHON =
+  process.env.PENDULA_PYTHON ?? fileURLToPath(new URL("../../.venv/bin/python", import.meta.url));
 const CHROMIUM = ["/usr/bin/chromium", "/usr/bin/chromium-browser", "/usr/bin/google-chrome"];
 const found = process.env.PENDULA_CHROMIUM ?? CHROMIUM.find(existsSync);
 
@@ -14,7 +16,8 @@ export const hasChromium = found !== undefined || process.env.CI !== undefined;
 
 export interface Laboratory {
   url: string;
-  open: (hash?: string, options?: BrowserContextOptions) => Promise<Opened>;
+  /** `before` runs in the page before its own scripts. */
+  open: (hash?: string, options?: BrowserContextOptions, before?: () => void) => Promise<Opened>;
   close: () => Promise<void>;
 }
 
@@ -29,17 +32,23 @@ export interface Opened {
 export async function laboratory(): Promise<Laboratory> {
   const { url, close } = await serve(BUILT);
   const browser: Browser = await chromium.launch({ executablePath: found, args: ["--no-sandbox"] });
-  const open = async (hash = "", options: BrowserContextOptions = {}): Promise<Opened> => {
+  const open: Laboratory["open"] = async (hash = "", options = {}, before = undefined) => {
     const context = await browser.newContext({
       viewport: { width: 1280, height: 900 },
+      serviceWorkers: "block", // they would fetch the page once more for each test
       ...options,
     });
     const page = await context.newPage();
+    if (before) await page.addInitScript(before);
     const [said, asked]: [string[], string[]] = [[], []];
-    page.on("console", (message) => said.push(`${message.type()}: ${message.text()}`));
+    page.on("console", (message) => {
+      if (!message.text().includes("blocked by Playwright")) {
+        said.push(`${message.type()}: ${message.text()}`);
+      }
+    });
     page.on("pageerror", (error) => said.push(`error: ${error.message}`));
     page.on("request", (request) => asked.push(request.url()));
-    await page.goto(hash.startsWith("file:") ? hash : url + hash);
+    await page.goto(/^\w+:/.test(hash) ? hash : url + hash);
     return { page, said, asked };
   };
   return {

@@ -126,8 +126,7 @@ export class App {
   private recipeChanged(): void {
     if (this.kind() !== this.made) this.build();
     this.panel.follow();
-    const { digits } = this.lab.recipe.options;
-    this.say(digits === undefined ? "" : t("digits_note", { digits }));
+    this.say("");
     this.address();
     this.dirty = true;
   }

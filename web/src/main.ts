@@ -1,6 +1,6 @@
 // Begins: reads the address, starts the core, shows the laboratory or says in one line why not.
 
-import { source } from "#source";
+import { keepOffline, source } from "#source";
 import { App } from "./app";
 import { el, fill } from "./controls/dom";
 import type { Core } from "./core/api";
@@ -66,6 +66,7 @@ async function begin(core: Promise<Core>): Promise<void> {
     theming(page);
     const lab = new Lab(await core, recipe, page);
     new App(root, lab);
+    await keepOffline();
   } catch (error) {
     if (error instanceof Refused) wrong(t("link_wrong", { why: t(error.key, error.values) }));
     else wrong(t("core_missing", { why: (error as Error).message }));

@@ -9,6 +9,7 @@ import { Refused } from "../src/words/refused";
 
 interface Cases {
   good: { link: string; recipe: Record<string, unknown> }[];
+  "of Python alone": { link: string; names: string }[];
   bad: { link: string; names: string }[];
 }
 const file = new URL("../../tests/data/addresses.json", import.meta.url);
@@ -45,13 +46,20 @@ describe("good links", () => {
 });
 
 describe("bad links are refused in a line that names the key", () => {
-  test.each(cases.bad)("$link", ({ link, names }) => {
+  test.each([...cases.bad, ...cases["of Python alone"]])("$link", ({ link, names }) => {
     const refused = refusal(link);
     expect(refused, link).not.toBeNull();
     const line = t(refused!.key, refused!.values);
     expect(line).toContain(names);
     expect(line).not.toContain("\n");
   });
+});
+
+test("so many digits for sure are Python's to keep, and the line says so", () => {
+  const { key, values } = refusal("#system=simple&t_max=1&digits=12")!;
+  expect(t(key, values)).toBe(
+    "“digits” = 12 is not kept by the page, which computes in doubles; use pendula rerun LINK, or leave it out.",
+  );
 });
 
 test("a zero keeps its sign", () => {

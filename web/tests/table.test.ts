@@ -3,8 +3,10 @@
 import { existsSync, readFileSync } from "node:fs";
 import { join } from "node:path";
 import { describe, expect, test } from "vitest";
+import { checkText } from "../src/measured/formats";
 import { guess, seriesOf, startOf } from "../src/measured/series";
 import { decoded, tableOf } from "../src/measured/table";
+import { t } from "../src/words/language";
 import { Refused } from "../src/words/refused";
 
 function refusal(text: string): Refused {
@@ -54,6 +56,43 @@ describe("good tables", () => {
     const { series } = read("t,theta\n0,0.5\n0.1,\n0.2,0.3\n");
     expect([...series.t]).toStrictEqual([0, 0.2]);
     expect(startOf(series)).toStrictEqual([0.5, -1]);
+  });
+});
+
+describe("files that are no text tables are Python's to read", () => {
+  const line = (name: string, ...bytes: number[]) => {
+    try {
+      checkText(name, Uint8Array.from(bytes));
+    } catch (error) {
+      if (error instanceof Refused) return t(error.key, error.values);
+    }
+    return "";
+  };
+
+  test.each(["mat", "xls", "xlsx", "ods", "trk", "trz", "zip", "parquet", "nc"])(
+    ".%s",
+    (ending) => {
+      expect(line(`swing.${ending.toUpperCase()}`, 116)).toBe(
+        `The page reads text tables alone; read this one in Python: pendula fit swing.${ending.toUpperCase()}`,
+      );
+    },
+  );
+
+  const formats: [string, ...number[]][] = [
+    ["an archive or spreadsheet", 0x50, 0x4b, 3, 4],
+    ["an old spreadsheet", 0xd0, 0xcf, 0x11, 0xe0],
+    ["HDF5", 0x89, 0x48, 0x44, 0x46],
+    ["NetCDF", 0x43, 0x44, 0x46, 1],
+    ["Parquet", 0x50, 0x41, 0x52, 0x31],
+    ["XML", 0x3c, 0x3f, 0x78, 0x6d, 0x6c],
+  ];
+  test.each(formats)("%s by what is in it", (_, ...bytes) => {
+    expect(line("the swing's.csv", ...bytes)).toMatch(/: pendula fit 'the swing'\\''s\.csv'$/);
+  });
+
+  test("a text table is read", () => {
+    expect(line("swing.csv", 116, 44, 120)).toBe("");
+    expect(line("swing.nc.txt", 116)).toBe("");
   });
 });
 

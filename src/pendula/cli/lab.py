@@ -3,13 +3,22 @@
 from __future__ import annotations
 
 import os
+import shlex
 import sys
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
 
+from pendula._messages import ArgumentError
+
 if TYPE_CHECKING:
+    from pendula.cli.shown import Held
+    from pendula.lab.recipe import Recipe
     from pendula.lab.server import LabServer
+
+
+_MEASURED = "#system=simple&t_max=10&view=data"
 
 
 def _lab(**given: Any) -> None:
@@ -28,22 +37,59 @@ def _lab(**given: Any) -> None:
 def _fragment_of(start: str) -> str:
     """The recipe of a file or a link, from the # on."""
     from pendula.lab.address import is_link
-    from pendula.lab.recipe import Recipe, losses, read_link
+    from pendula.lab.map_link import losses_of_map, map_link
+    from pendula.lab.recipe import read_link
 
     if is_link(start):
-        read_link(start)
+        _check_shown(read_link(start), start)
         return f"#{start.strip().partition('#')[2]}"
-    from pendula.cli.shown import held
-    from pendula.io import load
-
-    found = held(start)
-    if found.kind != "trajectory":
-        rule = f"{start} must hold a trajectory to be shown in the laboratory"
+    found = _held(start)
+    if found.kind == "map":
+        link, lost = map_link(start, found.known), losses_of_map(found.known)
+    elif found.kind == "trajectory":
+        link, lost = _link_of_run(start)
+    else:
+        rule = f"{start} must hold a trajectory or a map to be shown in the laboratory"
         raise ValueError(f"{rule}, got a file of the kind {found.kind!r}; use pendula show")
-    run = load(start)
-    if lost := losses(run):
+    read_link(link)
+    if lost:
         click.echo(f"{start}: shown without its {' and '.join(lost)}", err=True)
-    return Recipe.of(run).link()
+    return link
+
+
+def _held(start: str) -> Held:
+    """What a file holds; a table of measured motion has another way onto the page."""
+    from pendula.cli.shown import held
+
+    try:
+        return held(start)
+    except ValueError as error:
+        if not Path(start).is_file() or Path(start).suffix == ".json":
+            raise
+        way_out = (
+            f"open pendula lab '{_MEASURED}' and drop a text table of measured motion there, "
+            f"or use pendula fit {shlex.quote(start)}"
+        )
+        raise ValueError(f"{start} was not written by pendula; {way_out}") from error
+
+
+def _link_of_run(start: str) -> tuple[str, list[str]]:
+    """The link of a saved run, and what it does not hold."""
+    from pendula.io import load
+    from pendula.lab.recipe import Recipe, losses
+
+    run = load(start)
+    recipe = Recipe.of(run)
+    _check_shown(recipe, start)
+    return recipe.link(), losses(run)
+
+
+def _check_shown(recipe: Recipe, start: str) -> None:
+    """Refuse what the page, which computes in doubles, would show otherwise than the run is."""
+    if "digits" in recipe.options:
+        rule = "digits = {value} is not kept by the page, which computes in doubles"
+        way_out = "use pendula rerun {start}"
+        raise ArgumentError("", rule, way_out, value=recipe.options["digits"], start=start)
 
 
 def _export(fragment: str, given: dict[str, Any]) -> None:

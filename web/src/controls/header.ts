@@ -1,7 +1,9 @@
 // The head of the page: examples, sharing, language, colours.
 
 import type { App } from "../app";
+import { written } from "../recipe/address";
 import { PRESETS } from "../recipe/presets";
+import type { Recipe } from "../recipe/recipe";
 import { current, speak, t } from "../words/language";
 import { choice, el } from "./dom";
 import { shareMenu } from "./share";
@@ -24,7 +26,10 @@ export function header(app: App): HTMLElement {
 function examples(app: App): HTMLElement {
   const { lab } = app;
   const options = PRESETS.map((preset) => [preset.key, t(preset.key)] as const);
-  const chosen = PRESETS.find((preset) => preset.recipe === lab.recipe)?.key ?? "";
+  const told = (recipe: Recipe, compare?: readonly string[]) =>
+    written(recipe, { compare: [...(compare ?? [])] });
+  const now = told(lab.recipe, lab.page.compare);
+  const chosen = PRESETS.find(({ recipe, page }) => told(recipe, page.compare) === now)?.key ?? "";
   const all = [["", t("examples_choose")] as const, ...options];
   return choice(t("examples"), all, chosen, (key) => {
     const preset = PRESETS.find((each) => each.key === key);

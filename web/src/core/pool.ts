@@ -9,7 +9,7 @@ import {
 } from "./api";
 import type { FromWorker, ToWorker } from "./messages";
 
-/** How long a computation that was left may go on before its worker is ended [ms]. */
+/** How old a computation that was left may grow before its worker is ended [ms]; a new worker costs some 20 ms. */
 const grace = 50;
 const fewest = 2;
 const most = 8;
@@ -29,6 +29,7 @@ interface Slot {
   worker: Worker;
   ready: boolean;
   task: Task | null;
+  since: number; // when the task was begun [ms]
 }
 
 /** Compile the module and start the workers. */
@@ -106,7 +107,7 @@ class Pool implements Core {
   }
 
   private started(): Slot {
-    const slot: Slot = { worker: this.makeWorker(), ready: false, task: null };
+    const slot: Slot = { worker: this.makeWorker(), ready: false, task: null, since: 0 };
     const { worker } = slot;
     worker.onmessage = ({ data }: MessageEvent<FromWorker>) => this.heard(slot, data);
     worker.onerror = (event) => this.heard(slot, { kind: "trapped", message: event.message });
@@ -126,6 +127,7 @@ class Pool implements Core {
       if (!next) return;
       this.waiting = this.waiting.filter((task) => task !== next);
       slot.task = next;
+      slot.since = performance.now();
       const { id, name, arguments_ } = next;
       slot.worker.postMessage({ kind: "call", id, name, arguments_ } satisfies ToWorker);
     });
@@ -185,12 +187,15 @@ class Pool implements Core {
     task.reject(leftBecause(task.signal));
     const slot = this.slots.find((each) => each.task === task);
     if (!slot) return;
-    setTimeout(() => {
+    const end = () => {
       if (slot.task !== task || this.closed) return;
       slot.worker.terminate();
       slot.task = null;
       this.replace(slot);
-    }, grace);
+    };
+    const left = slot.since + grace - performance.now();
+    if (left > 0) setTimeout(end, left);
+    else end(); // at once: the page may be too busy for a timer
   }
 }
 

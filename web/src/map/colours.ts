@@ -1,7 +1,7 @@
 // Colours of the flip map: the sooner, the lighter; forbidden, never and unresolved have their own.
 
 import type { CellRange } from "../core/api";
-import { type Asked, FORBIDDEN, type Level, NEVER, UNRESOLVED } from "./explorer";
+import { type Asked, FORBIDDEN, type Level, NEVER, UNRESOLVED } from "./level";
 
 type Colour = readonly [number, number, number];
 

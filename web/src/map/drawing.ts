@@ -3,7 +3,7 @@
 import { DEGREES } from "../view/graphs";
 import type { Axis, Plot } from "../view/plot";
 import { theme } from "../view/theme";
-import type { Level, Range } from "./explorer";
+import type { Level, Range } from "./level";
 
 /** An axis of the map; its letter is drawn beside it. */
 export function axis([low, high]: Range): Axis {
@@ -11,27 +11,29 @@ export function axis([low, high]: Range): Axis {
 }
 
 /** Draws everything; the cross stands at a start [rad]. */
-export function drawMap(
-  plot: Plot,
-  levels: readonly Level[],
-  cross: [number, number],
-  height: number,
-): void {
+export function drawMap(plot: Plot, levels: readonly Level[], cross: [number, number]): void {
   plot.frame();
   plot.clipped(() => {
     for (const level of levels) layer(plot, level);
     crossAt(plot, cross, "#fff", 3.5);
     crossAt(plot, cross, "#111", 1.5);
   });
+  letter(plot, "θ₁", plot.right - LETTER, plot.bottom - LETTER);
+  letter(plot, "θ₂", plot.left, plot.top);
+}
+
+const LETTER = 26; // px: side of the square that a letter stands on
+
+/** The letter of an axis, in a corner of the map, where no number stands. */
+function letter(plot: Plot, text: string, x: number, y: number): void {
   const { surface: s } = plot;
+  s.fillStyle = theme().paper;
+  s.fillRect(x, y, LETTER, LETTER);
   s.font = `italic 16px ${theme().symbols}`;
   s.fillStyle = theme().ink;
-  s.textAlign = "right";
-  s.textBaseline = "bottom";
-  s.fillText("θ₁", plot.right, height - 1);
-  s.textAlign = "left";
-  s.textBaseline = "top";
-  s.fillText("θ₂", 2, plot.top);
+  s.textAlign = "center";
+  s.textBaseline = "middle";
+  s.fillText(text, x + LETTER / 2, y + LETTER / 2);
 }
 
 function layer(plot: Plot, level: Level): void {

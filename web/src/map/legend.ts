@@ -3,7 +3,7 @@
 import { el } from "../controls/dom";
 import { fixed, t } from "../words/language";
 import { CHAOTIC, colourAt, REGULAR, SHADES, SOONEST } from "./colours";
-import { FORBIDDEN, NEVER, type Quantity, UNRESOLVED } from "./explorer";
+import { FORBIDDEN, NEVER, type Quantity, UNRESOLVED } from "./level";
 
 /** The scale of what is shown, up to `until` [s], and the colours of what has no value. */
 export function legend(quantity: Quantity, until: number): HTMLElement {

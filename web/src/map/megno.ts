@@ -3,7 +3,7 @@
 // numbers are those of `indicator_map` in `pendula.many.maps`.
 
 import type { CellRange, Core, FlipMapRequest } from "../core/api";
-import type { Range } from "./explorer";
+import type { Range } from "./level";
 
 /** Angles at the centres of some cells, as `Cells.centres` in Python has them. */
 export function centres([low, high]: Range, count: number, from: number, to: number): Float64Array {

@@ -1,6 +1,6 @@
 // Rectangles of starts: zoomed, moved, and always within one turn of each angle.
 
-import type { Range, Rectangle } from "./explorer";
+import type { Range, Rectangle } from "./level";
 
 export const WHOLE: Range = [-Math.PI, Math.PI];
 

@@ -2,7 +2,7 @@
 
 import { DEGREES } from "../view/graphs";
 import { fixed, shown, t } from "../words/language";
-import { FLIPS, FORBIDDEN, type Level, NEVER, UNRESOLVED, WAITS } from "./explorer";
+import { FLIPS, FORBIDDEN, type Level, NEVER, UNRESOLVED, WAITS } from "./level";
 
 const CERTAIN = 4; // MEGNO above which a motion is called chaotic in words
 

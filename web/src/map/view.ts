@@ -1,7 +1,7 @@
 // The flip map on the page: wheel, pinch, keys and buttons zoom, dragging moves it, a click or Enter
 // puts a start on the stage.
 
-import { choice, el, fill, fresh } from "../controls/dom";
+import { el, fill, fresh } from "../controls/dom";
 import { button } from "../controls/transport";
 import { PRESETS } from "../recipe/presets";
 import { described, systemOf } from "../recipe/recipe";
@@ -12,14 +12,15 @@ import { Plot } from "../view/plot";
 import type { Surface } from "../view/svg";
 import type { View } from "../view/views";
 import { fixed, t } from "../words/language";
+import { choices, quantityOf, untilOf } from "./asked";
 import { axis, drawMap } from "./drawing";
-import { distinct, Explorer, type Quantity, type Range, type Rectangle } from "./explorer";
+import { distinct, Explorer } from "./explorer";
 import { legend } from "./legend";
+import type { Range, Rectangle } from "./level";
 import { Pointers } from "./pointers";
 import { moved, startAt, WHOLE, zoomed } from "./rectangle";
 import { inWords, whatAt } from "./telling";
 
-const UNTIL = 20; // s
 const COARSEST = 32; // cells that must be different doubles
 
 export class MapView implements View {
@@ -30,8 +31,8 @@ export class MapView implements View {
   private plot: Plot | null = null;
   private figure: Figure | null = null;
   private system = "";
-  private quantity: Quantity = "flips";
   private readonly status = el("p", { class: "note", role: "status" });
+  private readonly colours = el("div");
   private readonly progress = el("p", { class: "note" });
   private timer = 0;
 
@@ -67,7 +68,7 @@ export class MapView implements View {
     this.figure = new Figure(
       t("map_title"),
       (s, width, height) => this.draw(s, width, height),
-      () => inWords(this.explorer.last, UNTIL),
+      () => inWords(this.explorer.last, untilOf(this.lab.page)),
       "map",
     );
     const help = fresh("help");
@@ -93,35 +94,30 @@ export class MapView implements View {
     fill(
       this.element,
       el("p", { class: "note" }, t("map_intro")),
-      choice(
-        t("map_shows"),
-        [
-          ["flips", t("map_flips")],
-          ["megno", t("map_chaos")],
-        ],
-        this.quantity,
-        (value) => {
-          this.quantity = value as Quantity;
-          this.lay();
-          this.compute(false);
-        },
-      ),
+      choices(this.lab, () => this.later(false)),
       this.figure.element,
-      legend(this.quantity, UNTIL),
+      this.colours,
       this.status,
       this.progress,
       el("p", { class: "note", id: help }, t("map_keys")),
     );
   }
 
+  /** Computes when the hand rests. */
+  private later(keep: boolean): void {
+    window.clearTimeout(this.timer);
+    this.timer = window.setTimeout(() => this.compute(keep), 120);
+  }
+
   private compute(keep: boolean): void {
+    fill(this.colours, legend(quantityOf(this.lab.page), untilOf(this.lab.page)));
     this.explorer
       .show(
         {
           system: described(this.lab.recipe),
           rectangle: this.rectangle,
-          quantity: this.quantity,
-          tMax: UNTIL,
+          quantity: quantityOf(this.lab.page),
+          tMax: untilOf(this.lab.page),
         },
         keep,
       )
@@ -141,7 +137,7 @@ export class MapView implements View {
   private draw(s: Surface, width: number, height: number): void {
     const { theta1, theta2 } = this.rectangle;
     this.plot = new Plot(s, width, height, axis(theta1), axis(theta2));
-    drawMap(this.plot, this.explorer.levels, this.cross, height);
+    drawMap(this.plot, this.explorer.levels, this.cross);
   }
 
   private angleAt(x: number, y: number): [number, number] {
@@ -174,15 +170,12 @@ export class MapView implements View {
     }
     this.rectangle = rectangle;
     const whole = rectangle.theta1 === WHOLE && rectangle.theta2 === WHOLE;
-    window.clearTimeout(this.timer);
-    this.timer = window.setTimeout(() => {
-      const range = (each: Range): [number, number] | undefined => (whole ? undefined : [...each]);
-      this.lab.changePage({
-        map_theta1: range(rectangle.theta1),
-        map_theta2: range(rectangle.theta2),
-      });
-      this.compute(true);
-    }, 120);
+    const range = (each: Range): [number, number] | undefined => (whole ? undefined : [...each]);
+    this.lab.changePage({
+      map_theta1: range(rectangle.theta1),
+      map_theta2: range(rectangle.theta2),
+    });
+    this.later(true);
     this.lab.tell("time");
   }
 
@@ -194,7 +187,7 @@ export class MapView implements View {
   }
 
   private say([theta1, theta2]: [number, number]): void {
-    const what = whatAt(this.explorer.levels, [theta1, theta2], UNTIL);
+    const what = whatAt(this.explorer.levels, [theta1, theta2], untilOf(this.lab.page));
     const digits = Math.min(
       12,
       Math.max(1, 2 - Math.floor(Math.log10((this.width() * DEGREES) / 100))),

@@ -12,6 +12,7 @@ import { theme } from "../view/theme";
 import type { View } from "../view/views";
 import { fixed, t } from "../words/language";
 import { Refused } from "../words/refused";
+import { checkText } from "./formats";
 import { guess, type Reading, type Series, seriesOf, startOf, type Unit } from "./series";
 import { decoded, type Table, tableOf } from "./table";
 
@@ -67,23 +68,26 @@ export class MeasuredView implements View {
   private async take(file: File | undefined): Promise<void> {
     if (!file) return;
     const bytes = new Uint8Array(await file.arrayBuffer());
-    this.attempt(() => {
+    const taken = this.attempt(() => {
+      checkText(file.name, bytes);
       const table = tableOf(decoded(bytes));
       const reading = guess(table);
       seriesOf(table, reading);
       kept = { name: file.name, table, reading };
     });
-    this.show();
+    if (taken) this.show(); // else the line stays, and the table before
   }
 
-  /** Does something with the table, or says in one line why not. */
-  private attempt(what: () => void): void {
+  /** Does something with the table, or says in one line why not; whether it was done. */
+  private attempt(what: () => void): boolean {
     try {
       what();
       this.wrong.textContent = "";
+      return true;
     } catch (error) {
       if (!(error instanceof Refused)) throw error;
       this.wrong.textContent = t(error.key, error.values);
+      return false;
     }
   }
 

@@ -59,7 +59,7 @@ function entries(hash: string): Map<string, string> {
   const text = hash.replace(/^#/, "");
   for (const entry of text === "" ? [] : text.split("&")) {
     const at = entry.indexOf("=");
-    const key = decodedPart(at < 0 ? entry : entry.slice(0, at), entry);
+    const key = at < 0 ? entry : entry.slice(0, at);
     if (at < 0) throw new Refused("link_no_value", { key });
     if (found.has(key)) throw new Refused("link_twice", { key });
     found.set(key, decodedPart(entry.slice(at + 1), key));
@@ -85,6 +85,9 @@ function numberOf(key: string, text: string): number {
   if (!NUMBER.test(text)) throw new Refused("link_number", { key, value: text });
   const value = Number(text);
   if (!Number.isFinite(value)) throw new Refused("link_number", { key, value: text });
+  if (value === 0 && /[1-9]/.test(text.split(/e/i)[0])) {
+    throw new Refused("link_tiny", { key, value: text });
+  }
   return value;
 }
 
@@ -124,6 +127,7 @@ function optionsFrom(given: Map<string, string>): Options {
     if (text === undefined) continue;
     const value = numberOf(row.name, text);
     checkOption(row.name, value);
+    if (row.name === "digits") throw new Refused("link_digits", { key: "digits", value });
     options[row.name] = value;
   }
   return options;
@@ -147,12 +151,13 @@ export function checked(recipe: Recipe): void {
   const { system, state, t0, t_max, every, method, options } = recipe;
   const span = Math.abs(t_max - t0);
   const row = methodNamed(method);
-  const half = state.length / 2;
-  if (state.slice(0, half).some((value) => Math.abs(value) > LARGEST_ANGLE)) {
-    throw new Refused("rule_angle", { key: "state", value: Math.max(...state.map(Math.abs)) });
+  const { capabilities } = systemNamed(system)!;
+  const far = state.slice(0, state.length / 2).find((value) => Math.abs(value) >= LARGEST_ANGLE);
+  if (capabilities.periodic && far !== undefined) {
+    throw new Refused("rule_angle", { key: "state", value: far });
   }
   if (!(span > 0)) throw new Refused("rule_differs", { key: "t_max", value: t_max });
-  const closed = systemNamed(system)!.capabilities.closed_form;
+  const closed = capabilities.closed_form;
   if (method === EXACT ? !closed : !row?.systems.includes(system)) {
     const names = catalogue.methods.filter((each) => each.systems.includes(system));
     const choices = [...(closed ? [EXACT] : []), ...names.map((each) => each.name)].join(", ");
@@ -174,8 +179,7 @@ function checkTaken(options: Options, method: string): void {
   const taken = (key: string) => {
     if (!row) return false;
     if (key === "step") return !row.adaptive;
-    if (key === "tolerance") return row.adaptive;
-    return key !== "digits" || method === "taylor";
+    return key !== "tolerance" || row.adaptive;
   };
   for (const key of Object.keys(options)) {
     if (!taken(key)) throw new Refused("rule_not_taken", { key, method });
@@ -191,6 +195,14 @@ function pageFrom(given: Map<string, string>): Page {
   return page as unknown as Page;
 }
 
+/** Refuses a number outside the range of a key of the page. */
+export function checkPage(key: string, value: number): void {
+  const row: PageRow = addressRows.page.find((each) => each.key === key)!;
+  if (value < row.least! || value > row.most!) {
+    throw new Refused("rule_range", { key, value, least: row.least!, most: row.most! });
+  }
+}
+
 type PageRow = { key: string; kind: string; choices?: string[]; least?: number; most?: number };
 
 function pageValue(row: PageRow, value: string, given: Map<string, string>): unknown {
@@ -203,9 +215,7 @@ function pageValue(row: PageRow, value: string, given: Map<string, string>): unk
   }
   if (row.kind === "number") {
     const number = numberOf(key, value);
-    if (number < row.least! || number > row.most!) {
-      throw new Refused("rule_range", { key, value, least: row.least!, most: row.most! });
-    }
+    checkPage(key, number);
     return number;
   }
   if (row.kind === "range") {
@@ -219,7 +229,9 @@ function pageValue(row: PageRow, value: string, given: Map<string, string>): unk
   if (wrong !== undefined) {
     throw new Refused("link_choice", { key, value: wrong, choices: known.join(", ") });
   }
-  if (names.length > row.most!) throw new Refused("link_most", { key, most: row.most! });
+  if (names.length > row.most! || new Set(names).size < names.length) {
+    throw new Refused("link_most", { key, most: row.most!, value });
+  }
   return names;
 }
 
@@ -262,5 +274,7 @@ function pageParts(page: Partial<Page>): [string, string][] {
     const range = page[key];
     if (range) parts.push([key, range.map(text).join(",")]);
   }
+  if (page.map_quantity) parts.push(["map_quantity", page.map_quantity]);
+  if (page.map_t_max !== undefined) parts.push(["map_t_max", text(page.map_t_max)]);
   return parts;
 }

@@ -61,5 +61,5 @@ export function inPython(recipe: Recipe): string {
 }
 
 function optionText(name: string, value: number): string {
-  return name === "max_steps" || name === "digits" ? String(value) : repr(value);
+  return name === "max_steps" ? String(value) : repr(value);
 }

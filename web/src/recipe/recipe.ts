@@ -19,7 +19,6 @@ export interface Options {
   tolerance?: number;
   max_steps?: number;
   certify?: number;
-  digits?: number;
 }
 
 /** A run; SI units and radians. */
@@ -45,6 +44,8 @@ export interface Page {
   compare: string[];
   map_theta1?: [number, number];
   map_theta2?: [number, number];
+  map_quantity?: "flip_time" | "megno";
+  map_t_max?: number; // s
 }
 
 export const systemOf = (recipe: Recipe): SystemRow => systemNamed(recipe.system)!;

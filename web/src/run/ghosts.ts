@@ -20,12 +20,14 @@ export class Ghosts {
   list: Ghost[] = [];
   reference: Motion | null = null;
   private work = new AbortController();
+  private judging = new AbortController();
 
   constructor(private readonly lab: Lab) {}
 
   /** Leaves what is computed, and shows none. */
   clear(): void {
     this.work.abort();
+    this.leave();
     this.list = [];
   }
 
@@ -42,10 +44,27 @@ export class Ghosts {
       this.reference = lab.fresh(reference);
       await lab.fill(this.reference, lab.source(reference), signal);
       for (const method of methods) await this.add(method, signal);
-      await this.horizons(signal);
     } catch (error) {
       lab.caught(error);
+      return;
     }
+    if (lab.page.view === "compare") await this.judge();
+  }
+
+  /** Finds until when each is right; for as long as the comparison is looked at. */
+  async judge(): Promise<void> {
+    this.leave();
+    this.judging = new AbortController();
+    try {
+      await this.horizons(this.judging.signal);
+    } catch (error) {
+      this.lab.caught(error);
+    }
+  }
+
+  /** The comparison is looked at no more. */
+  leave(): void {
+    this.judging.abort();
   }
 
   private async add(method: string, signal: AbortSignal): Promise<void> {
@@ -61,7 +80,8 @@ export class Ghosts {
   private async horizons(signal: AbortSignal): Promise<void> {
     const { lab } = this;
     for (const ghost of this.list) {
-      if (ghost.method === EXACT || lab.recipe.t_max < lab.recipe.t0) continue;
+      const known = ghost.method === EXACT || ghost.horizon !== null;
+      if (known || lab.recipe.t_max < lab.recipe.t0) continue;
       ghost.horizon = await lab.horizonOf(
         ghost.method,
         optionsOf(lab.recipe, ghost.method),

@@ -20,6 +20,7 @@ import {
   systemOf,
 } from "../recipe/recipe";
 import { current } from "../words/language";
+import type { EnergyBalance } from "./balance";
 import { Clock } from "./clock";
 import { Ghosts } from "./ghosts";
 import {
@@ -44,6 +45,7 @@ export class Lab {
   horizon: number | null = null; // s; null: not known (yet)
   refusal = ""; // of the core, in one line
   cloudWanted = false; // neighbours around the start
+  balance: EnergyBalance | null = null; // of this motion or one before, where a graph wanted it
   measured: Series | null = null; // a recording beside the run
   hidden = false; // gravity is a riddle: neither shown nor in the address
   readonly ghosts: Ghosts;

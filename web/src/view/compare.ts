@@ -5,7 +5,7 @@ import { el, fill, tick } from "../controls/dom";
 import { EXACT, systemOf } from "../recipe/recipe";
 import type { Ghost } from "../run/ghosts";
 import { conservative, type Lab } from "../run/lab";
-import { fixed, powerOfTen, t } from "../words/language";
+import { fixed, powerOfTen, shown, t } from "../words/language";
 import type { Key } from "../words/words";
 import { Figure } from "./figure";
 import { placesWithin, timeSpan } from "./graphs";
@@ -29,6 +29,7 @@ export class CompareView implements View {
   constructor(private readonly lab: Lab) {
     this.lay();
     if (lab.page.compare.length === 0) lab.changePage({ compare: this.first() });
+    else void lab.ghosts.judge();
   }
 
   /** Makes what depends on the system. */
@@ -156,8 +157,8 @@ export class CompareView implements View {
         "tr",
         {},
         name,
-        kept && el("td", {}, powerOfTen(ghost.drift[at] ?? 0)),
-        el("td", {}, `${powerOfTen(ghost.distance[at] ?? 0)} rad`),
+        kept && el("td", {}, shown(ghost.drift[at] ?? 0, 2)),
+        el("td", {}, shown(ghost.distance[at] ?? 0, 2)),
         el("td", {}, until(ghost)),
       );
     });
@@ -183,7 +184,9 @@ export class CompareView implements View {
     for (const figure of this.drawn) figure.tell();
   }
 
-  leave(): void {}
+  leave(): void {
+    this.lab.ghosts.leave();
+  }
 }
 
 function until(ghost: Ghost): string {

@@ -2,34 +2,28 @@
 // and a drive act. They are computed while they are looked at, and left when they are not.
 
 import { angle } from "../core/api";
-import { EXACT, gridOf, isDouble, systemOf } from "../recipe/recipe";
+import { gridOf, isDouble } from "../recipe/recipe";
+import { balanceOf, entryNow, exchanges } from "../run/balance";
 import type { Lab } from "../run/lab";
 import type { Motion } from "../run/motion";
-import { fixed, shown, t } from "../words/language";
+import { fixed, t } from "../words/language";
 import type { Key } from "../words/words";
-import { DEGREES, type Graph, timeSpan } from "./graphs";
+import { DEGREES, type Graph, placesWithin, timeSpan } from "./graphs";
 import { around, Plot } from "./plot";
 import type { Surface } from "./svg";
 import { theme } from "./theme";
 
 const LONGEST = 2000; // s of a section's run
-const POINTS = 400; // of the balance
 
 interface Points {
   times: Float64Array;
   x: Float64Array; // degrees
   y: Float64Array; // rad/s
 }
-interface Balance {
-  times: Float64Array;
-  work: Float64Array; // J
-  heat: Float64Array;
-}
 
 export class Extras {
   readonly graphs: readonly Graph[];
   private points: Points | null = null;
-  private balance: Balance | null = null;
   private asked = new Map<string, Motion>();
   private readonly work = new AbortController();
 
@@ -44,7 +38,7 @@ export class Extras {
       },
       {
         key: "graph_balance",
-        fits: (each) => !systemOf(each.recipe).capabilities.conservative,
+        fits: exchanges,
         draw: (each, s, width, height) => this.drawBalance(each, s, width, height),
         describe: () => t("balance_text"),
       },
@@ -59,14 +53,15 @@ export class Extras {
   follow(chosen: ReadonlySet<Key>): void {
     const { motion } = this.lab;
     const due = (key: Key) => {
-      const graph = this.graphs.find((each) => each.key === key)!;
-      if (!chosen.has(key) || !graph.fits(this.lab) || motion.outcome === null) return false;
+      const fits = this.graphs.find((each) => each.key === key)?.fits ?? exchanges;
+      if (!chosen.has(key) || !fits(this.lab) || motion.outcome === null) return false;
       if (this.asked.get(key) === motion) return false;
       this.asked.set(key, motion);
       return true;
     };
     if (due("graph_section")) this.section().catch((error) => this.lab.caught(error));
-    if (due("graph_balance")) this.takeBalance().catch((error) => this.lab.caught(error));
+    const bars = due("graph_energy");
+    if (due("graph_balance") || bars) this.takeBalance().catch((error) => this.lab.caught(error));
   }
 
   private async section(): Promise<void> {
@@ -94,26 +89,8 @@ export class Extras {
 
   private async takeBalance(): Promise<void> {
     const { lab } = this;
-    const { recipe } = lab;
-    const method = recipe.method === EXACT ? "taylor" : recipe.method;
-    const { spacing: _, ...request } = gridOf(recipe, method);
-    const span = recipe.t_max - recipe.t0;
-    const times = Float64Array.from(
-      { length: POINTS },
-      (_, i) => recipe.t0 + (span * (i + 1)) / POINTS,
-    );
-    const found = await lab.core.call("balance", [{ ...request, times }], {
-      signal: this.work.signal,
-    });
-    const columns = found.works.length + found.heats.length;
-    const sum = (from: number, to: number) =>
-      Float64Array.from({ length: found.parts.length / columns }, (_, i) =>
-        found.parts
-          .subarray(i * columns + from, i * columns + to)
-          .reduce((all, part) => all + part, 0),
-      );
-    const works = found.works.length;
-    this.balance = { times, work: sum(0, works), heat: sum(works, columns) };
+    if (lab.balance?.motion === lab.motion) return;
+    lab.balance = await balanceOf(lab, this.work.signal);
     lab.tell("time");
   }
 
@@ -142,46 +119,32 @@ export class Extras {
   }
 
   private drawBalance(lab: Lab, s: Surface, width: number, height: number): void {
-    const { balance } = this;
     const { motion } = lab;
+    const now = entryNow(lab);
+    const balance = now === null ? null : lab.balance;
     const span = timeSpan(lab);
-    const energies = Float64Array.from(
-      balance?.times ?? [],
-      (time) => energyAt(motion, time) - motion.kinetic[0] - motion.potential[0],
-    );
-    const [low, high] = around(
-      [0, ...(balance?.work ?? []), ...(balance?.heat ?? []), ...energies],
-      1e-12,
-    );
+    const { change = [], work = [], heat = [], stride = 1 } = balance ?? {};
+    const places = placesWithin(motion, span).map((place) => Math.floor(place / stride));
+    const seen = [work, heat, change].flatMap((values) => [...values.slice(...places)]);
+    const [low, high] = around(seen, 1e-12);
     const x = { low: span[0], high: span[1], label: "t / s" };
     const plot = new Plot(s, width, height, x, { low, high, label: "J" });
     plot.frame();
-    if (!balance) return;
-    const { times, work, heat } = balance;
-    const place =
-      Math.floor(
-        ((motion.times[lab.clock.place] - motion.t0) / (times[times.length - 1] - motion.t0)) *
-          POINTS,
-      ) - 1;
-    const rows: [string, Float64Array, string][] = [
-      ["ΔE", energies, theme().ink],
-      [t("work"), work, theme().second],
+    if (now === null) return;
+    const rows: [string, ArrayLike<number>, string][] = [
+      ["ΔE", change, theme().ink],
+      [t("work"), work, theme().methods.linear],
       [t("heat"), heat, theme().warm],
     ];
     plot.clipped(() => {
       for (const [, values, colour] of rows) {
-        plot.line(values.length, (i) => [times[i], values[i]], colour, 1.5);
+        plot.line(values.length, (i) => [motion.times[i * stride], values[i]], colour, 1.5);
       }
       plot.upright(motion.times[lab.clock.place], theme().line);
     });
-    s.font = `12px ${theme().font}`;
-    s.textAlign = "right";
-    s.textBaseline = "top";
-    rows.forEach(([name, values, colour], i) => {
-      s.fillStyle = colour;
-      const text = place >= 0 && place < values.length ? fixed(values[place], 3) : shown(0);
-      s.fillText(`${name} ${text} J`, plot.right - 4, plot.top + 2 + 16 * i);
-    });
+    plot.names(
+      rows.map(([name, values, colour]) => [`${name} ${fixed(values[now], 3)} J`, colour]),
+    );
   }
 }
 
@@ -195,12 +158,6 @@ function pointsOf(
   const folded = (value: number) => value - 360 * Math.round(value / 360);
   const column = (j: number) => Float64Array.from(times, (_, i) => states[i * size + j]);
   return { times, x: column(x).map((value) => folded(value * DEGREES)), y: column(y) };
-}
-
-function energyAt(motion: Motion, time: number): number {
-  const place = Math.round((time - motion.t0) / motion.spacing);
-  const at = Math.min(Math.max(0, place), motion.count - 1);
-  return motion.kinetic[at] + motion.potential[at];
 }
 
 /** Angular frequency of the drive, or else of the pivot [rad/s]; 0: there is none. */

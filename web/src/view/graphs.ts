@@ -1,11 +1,12 @@
-// The graphs beside the stage, each of the motion up to now: angles, phase portrait, energies, the
-// path of the tip. What is still to come is drawn faintly.
+// The graphs beside the stage, each of the motion up to now: angles, phase portrait, the path
+// of the tip. What is still to come is drawn faintly.
 
 import { isDouble, systemOf } from "../recipe/recipe";
-import { conservative, type Lab } from "../run/lab";
+import type { Lab } from "../run/lab";
 import type { Motion } from "../run/motion";
-import { fixed, powerOfTen, shown, t } from "../words/language";
+import { fixed, t } from "../words/language";
 import type { Key } from "../words/words";
+import { describeEnergies, drawEnergies } from "./energies";
 import { lengthsOf } from "./geometry";
 import { around, Plot } from "./plot";
 import type { Surface } from "./svg";
@@ -78,6 +79,19 @@ function drawAngles(lab: Lab, s: Surface, width: number, height: number): void {
     }
     if (lab.horizon !== null) plot.upright(lab.horizon, theme().warm);
   });
+  const twin = [
+    [t("non_linear"), theme().accent],
+    [t("linear_model"), theme().methods.linear],
+  ] as const;
+  plot.names(half === 2 ? parts("θ") : lab.twin && lab.twinShown ? twin : []);
+}
+
+/** The names of a double pendulum's two curves. */
+function parts(letter: string): (readonly [string, string])[] {
+  return [
+    [`${letter}₁`, theme().accent],
+    [`${letter}₂`, theme().second],
+  ];
 }
 
 function dots(plot: Plot, measured: { t: Float64Array; theta: Float64Array }): void {
@@ -136,6 +150,7 @@ function stillPhase(lab: Lab, s: Surface, width: number, height: number): void {
     for (const { line, colour } of curves) plot.line(lab.motion.count, line(), colour, 1.2);
     s.globalAlpha = 1;
   });
+  if (curves.length === 2) plot.names(parts("ω"));
 }
 
 function drawPhase(lab: Lab, s: Surface, width: number, height: number): void {
@@ -192,36 +207,6 @@ function separatrix(plot: Plot, lab: Lab): void {
   }
 }
 
-function drawEnergy(lab: Lab, s: Surface, width: number, height: number): void {
-  const { motion, place } = now(lab);
-  if (motion.count === 0) return;
-  const [kinetic, potential] = [motion.kinetic[place], motion.potential[place]];
-  const start = motion.kinetic[0] + motion.potential[0];
-  const total = kinetic + potential;
-  const most = Math.max(start, ...[kinetic, potential, total].map(Math.abs), 1e-300) * 1.05;
-  const bars: [string, number, string][] = [
-    [t("kinetic"), kinetic, theme().accent],
-    [t("potential"), potential, theme().second],
-    [t("total"), total, theme().ink],
-  ];
-  const high = Math.min(46, height / bars.length);
-  s.font = `12px ${theme().font}`;
-  s.textBaseline = "middle";
-  bars.forEach(([name, value, colour], i) => {
-    const y = (i + 0.5) * high;
-    const [left, right] = [92, width - 84];
-    s.fillStyle = theme().grid;
-    s.fillRect(left, y - 8, right - left, 16);
-    s.fillStyle = colour;
-    s.fillRect(left, y - 8, Math.max(0, ((right - left) * value) / most), 16);
-    s.fillStyle = theme().ink;
-    s.textAlign = "left";
-    s.fillText(name, 4, y);
-    s.textAlign = "right";
-    s.fillText(`${fixed(value, 3)} J`, width - 4, y);
-  });
-}
-
 function drawPath(lab: Lab, s: Surface, width: number, height: number): void {
   const { motion, place } = now(lab);
   const reach = lengthsOf(lab.recipe).reduce((sum, each) => sum + each, 0) * 1.06;
@@ -246,18 +231,6 @@ const describeAngles = (lab: Lab): string => {
   return t("angles_text", { low: fixed(low, 1), high: fixed(high, 1), end: lab.recipe.t_max });
 };
 
-const describeEnergy = (lab: Lab): string => {
-  const { motion, place } = now(lab);
-  const [kinetic, potential] = [motion.kinetic[place], motion.potential[place]];
-  const change = kinetic + potential - motion.kinetic[0] - motion.potential[0];
-  const values = {
-    kinetic: shown(kinetic),
-    potential: shown(potential),
-    change: powerOfTen(change),
-  };
-  return t(conservative(lab) ? "energy_text" : "energy_text_real", values);
-};
-
 export const GRAPHS: readonly Graph[] = [
   { key: "graph_angles", fits: () => true, draw: drawAngles, describe: describeAngles },
   {
@@ -267,7 +240,7 @@ export const GRAPHS: readonly Graph[] = [
     still: stillPhase,
     describe: (lab) => t(lab.recipe.system === "simple" ? "phase_text_separatrix" : "phase_text"),
   },
-  { key: "graph_energy", fits: () => true, draw: drawEnergy, describe: describeEnergy },
+  { key: "graph_energy", fits: () => true, draw: drawEnergies, describe: describeEnergies },
   {
     key: "graph_path",
     fits: (lab) => isDouble(lab.recipe),

@@ -170,6 +170,18 @@ export class Plot {
     s.fill();
   }
 
+  /** What each colour is, in the upper right corner. */
+  names(rows: readonly (readonly [name: string, colour: string])[]): void {
+    const { surface: s } = this;
+    s.font = `12px ${theme().font}`;
+    s.textAlign = "right";
+    s.textBaseline = "top";
+    rows.forEach(([name, colour], i) => {
+      s.fillStyle = colour;
+      s.fillText(name, this.right - 4, this.top + 2 + 16 * i);
+    });
+  }
+
   /** An upright line, dashed. */
   upright(x: number, colour: string): void {
     this.surface.save();

@@ -41,10 +41,6 @@ export const out = {
     "The browser did not allow copying; the text is below.",
     "El navegador no permitió copiar; el texto está abajo.",
   ],
-  digits_note: [
-    "The page computes in doubles; pendula rerun gives the link’s {digits} digits.",
-    "La página calcula con doubles; pendula rerun da las {digits} cifras del enlace.",
-  ],
   link_wrong: ["This link is not shown: {why}", "Este enlace no se muestra: {why}"],
   start_afresh: ["Open the laboratory afresh", "Abrir el laboratorio de nuevo"],
   core_missing: [

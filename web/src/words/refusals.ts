@@ -38,7 +38,18 @@ export const refusals = {
     "“{key}” must be two rising numbers, got {value}.",
     "«{key}» debe tener dos números crecientes, se dio {value}.",
   ],
-  link_most: ["“{key}” takes {most} at most.", "«{key}» admite {most} como máximo."],
+  link_most: [
+    "“{key}” takes at most {most}, each once; got {value}.",
+    "«{key}» admite como máximo {most}, cada uno una vez; se dio {value}.",
+  ],
+  link_tiny: [
+    "“{key}” is nearer to zero than the smallest number, got {value}; write 0.",
+    "«{key}» está más cerca de cero que el menor número, se dio {value}; escriba 0.",
+  ],
+  link_digits: [
+    "“{key}” = {value} is not kept by the page, which computes in doubles; use pendula rerun LINK, or leave it out.",
+    "«{key}» = {value} no lo cumple la página, que calcula con doubles; use pendula rerun ENLACE, o quítelo.",
+  ],
   rule_number: [
     "{key} must be a number, got {value}.",
     "{key} debe ser un número, se dio {value}.",
@@ -60,8 +71,8 @@ export const refusals = {
     "{key} debe estar entre {least} y {most}, se dio {value}.",
   ],
   rule_angle: [
-    "{key} must lie within ±2²⁶ rad, got {value}; take whole turns off.",
-    "{key} debe estar dentro de ±2²⁶ rad, se dio {value}; quite vueltas enteras.",
+    "{key} must have angles below 2²⁶ rad, got {value}; take whole turns off.",
+    "{key} debe tener ángulos por debajo de 2²⁶ rad, se dio {value}; quite vueltas enteras.",
   ],
   rule_differs: [
     "{key} must differ from the start’s time, got {value} s.",
@@ -80,12 +91,16 @@ export const refusals = {
     "{key} no se admite con {method}; quítelo.",
   ],
   data_too_large: [
-    "The file has more than 64 MB; take a shorter recording, or pendula.measured.",
-    "El archivo tiene más de 64 MB; tome una grabación más corta o pendula.measured.",
+    "The file has more than 64 MB; take a shorter recording, or read it in Python: pendula fit FILE",
+    "El archivo tiene más de 64 MB; tome una grabación más corta o léalo en Python: pendula fit ARCHIVO",
+  ],
+  data_format: [
+    "The page reads text tables alone; read this one in Python: {command}",
+    "La página solo lee tablas de texto; lea este archivo en Python: {command}",
   ],
   data_no_text: [
-    "This is no text table; save it as CSV, or read it with pendula.measured.",
-    "No es una tabla de texto; guárdela como CSV o léala con pendula.measured.",
+    "This is no text table; save it as CSV, or read it in Python: pendula fit FILE",
+    "No es una tabla de texto; guárdela como CSV o léala en Python: pendula fit ARCHIVO",
   ],
   data_empty: [
     "The file has fewer than two rows of numbers.",

@@ -67,9 +67,13 @@ export const views = {
     "Kinetic {kinetic} J, potential {potential} J; since the start the total has changed by {change} J.",
     "Cinética {kinetic} J, potencial {potential} J; desde el inicio el total ha cambiado {change} J.",
   ],
+  energy_text_waits: [
+    "Kinetic {kinetic} J, potential {potential} J.",
+    "Cinética {kinetic} J, potencial {potential} J.",
+  ],
   energy_text_real: [
-    "Kinetic {kinetic} J, potential {potential} J; friction and drive have changed the total by {change} J.",
-    "Cinética {kinetic} J, potencial {potential} J; rozamiento y excitación han cambiado el total {change} J.",
+    "Kinetic {kinetic} J, potential {potential} J; since the start {work} J of work went in and {heat} J of heat out: the energy is off their balance by {error} J.",
+    "Cinética {kinetic} J, potencial {potential} J; desde el inicio entraron {work} J de trabajo y salieron {heat} J de calor: la energía se aparta de su balance en {error} J.",
   ],
   balance_text: [
     "Energy, work done since the start and heat given off.",
@@ -107,7 +111,7 @@ export const views = {
   right_until: ["right until", "correcto hasta"],
   to_the_end: ["the end", "el final"],
   drift_now: ["energy drift", "deriva de energía"],
-  distance_now: ["distance", "distancia"],
+  distance_now: ["distance (rad)", "distancia (rad)"],
   map_title: ["Map of the starts", "Mapa de los inicios"],
   map_intro: [
     "Each point is a start at rest; a click puts it on the stage.",
@@ -119,6 +123,7 @@ export const views = {
   ],
   map_take: ["Show a double pendulum", "Mostrar un péndulo doble"],
   map_shows: ["Shown", "Se muestra"],
+  map_until: ["until", "hasta"],
   map_flips: ["time until a rod turns over", "tiempo hasta la vuelta de una varilla"],
   map_chaos: ["MEGNO: regular or chaotic", "MEGNO: regular o caótico"],
   map_megno: ["MEGNO {value}", "MEGNO {value}"],
@@ -151,7 +156,7 @@ export const views = {
     "Inicios de {low1}° a {high1}° y de {low2}° a {high2}°: el {flipped} % da la vuelta, el {never} % no hasta {time} s, el {forbidden} % no puede.",
   ],
   map_keys: [
-    "Arrow keys move the cross, plus and minus zoom, Enter puts the start on the stage.",
-    "Las flechas mueven la cruz, más y menos cambian la escala, Intro lleva el inicio al escenario.",
+    "The wheel or two fingers zoom, dragging moves the map. By keyboard: arrow keys move the cross, plus and minus zoom, Enter puts the start on the stage.",
+    "La rueda o dos dedos cambian la escala; arrastrar mueve el mapa. Con el teclado: las flechas mueven la cruz, más y menos cambian la escala, Intro lleva el inicio al escenario.",
   ],
 } as const satisfies Record<string, Row>;
