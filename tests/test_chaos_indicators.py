@@ -179,9 +179,48 @@ def test_a_certified_exponent_ends_with_the_trust_in_the_states() -> None:
     assert 10.0 < found.trust_horizon < 60.0
     right = solve(RODS, WILD, [60.0], certify=1e-6).trust_horizon
     assert found.trust_horizon == right
-    assert right is not None
-    last = found.t[found.t <= right][-1]
-    assert found.finite_time[0] == found.running[found.t == last, 0].item()
+    short = lyapunov(RODS, WILD, float(found.trust_horizon))
+    assert found.finite_time[0] == pytest.approx(short.exponents[0], abs=1e-5)
+
+
+@each_case
+def test_certified_exponents_are_off_by_no_more_than_they_say(case: dict[str, Any]) -> None:
+    system = double_of(case["system"])
+    for t, want in zip(*of(case, "finite_time_lyapunov", 50.0), strict=True):
+        found = lyapunov(system, case["state"], t, certify=1e-3)
+        if found.trust_horizon < t:
+            continue
+        assert found.finite_time is not None
+        assert found.finite_time_error is not None
+        (error,) = found.finite_time_error
+        assert abs(found.finite_time[0] - want) <= error
+        assert found.digits[0] >= (12 if t <= 2.0 else 7 if t <= 10.0 else 2)
+        printed = float(f"{found.finite_time[0]:.{found.digits[0]}f}")
+        assert abs(printed - want) <= 10.0 ** -float(found.digits[0])
+
+
+@each_case
+def test_a_certified_spectrum_is_off_by_no_more_than_it_says(case: dict[str, Any]) -> None:
+    system = double_of(case["system"])
+    for row in case["values"][:4]:  # up to 10 s
+        found = lyapunov(
+            system, case["state"], row["t"], exponents=4, tangent=np.eye(4), certify=1e-3
+        )
+        want = [float(each) for each in row["exponents_of_unit_frame"]]
+        assert (np.abs(found.finite_time - want) <= found.finite_time_error).all()
+        assert found.finite_time_error.max() <= 1e-7
+
+
+def test_an_exponent_is_certified_from_the_end_of_the_transient_on() -> None:
+    found = lyapunov(RODS, WILD, 40.0, transient=5.0, certify=1e-6)
+    assert found.finite_time is not None
+    whole = megno(RODS, WILD, [5.0, found.trust_horizon])
+    grown = (whole.growth[1] - whole.growth[0]) / (found.trust_horizon - 5.0)
+    assert found.finite_time[0] == pytest.approx(grown, abs=1e-5)
+    late = lyapunov(RODS, np.array([WILD, CALM]), 10.0, transient=40.0, certify=1e-6)
+    assert np.isnan(late.finite_time[0, 0])
+    assert np.isfinite(late.finite_time[1, 0])
+    assert late.digits.tolist() == [[0], [late.digits[1, 0]]]
 
 
 # ---- the same bits ----

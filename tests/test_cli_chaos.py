@@ -72,7 +72,8 @@ def test_a_single_exponent_has_a_verdict_and_a_certified_one_an_end(call: Call) 
     assert found.finite_time is not None
     assert f"{found.verdict}: mean MEGNO {found.mean_megno:.4g}" in printed
     assert f"certified to {found.trust_horizon:g} s" in unfolded(printed)
-    assert f"{found.finite_time[0]:.6g} 1/s" in unfolded(printed)
+    (value,), (error,), (n,) = found.finite_time, found.finite_time_error, found.digits
+    assert f"exponents up to there are {value:.{n}f} (±{error:.1g}) 1/s" in unfolded(printed)
 
 
 def test_a_spectrum_tells_its_checks(call: Call) -> None:

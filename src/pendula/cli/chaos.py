@@ -105,10 +105,20 @@ def _told_of_exponents(found: Lyapunov) -> str:
             pairs = ", ".join(f"{each:.2g}" for each in found.pairing_error)
             lines[-1] += f", errors of the pairs {pairs} 1/s"
     if found.trust_horizon is not None:
-        until = "to the end" if math.isinf(found.trust_horizon) else f"to {found.trust_horizon:g} s"
-        finite = ", ".join(f"{each:.6g}" for each in found.finite_time)  # type: ignore[union-attr]
-        lines.append(f"certified {until}, where the finite-time exponent is {finite} 1/s")
+        lines.append(_certified(found))
     return "\n".join([*lines, f"{int(found.n_steps)} steps, {found.outcome}"])
+
+
+def _certified(found: Lyapunov) -> str:
+    """The finite-time exponents with the decimals that are right."""
+    until = "to the end" if math.isinf(found.trust_horizon) else f"to {found.trust_horizon:g} s"
+    assert found.finite_time is not None
+    assert found.finite_time_error is not None
+    if math.isnan(found.finite_time[0]):
+        return f"states are certified {until} only, which is in the transient"
+    each = zip(found.finite_time, found.digits, found.finite_time_error, strict=True)
+    told = ", ".join(f"{value:.{n}f} (±{error:.1g})" for value, n, error in each)
+    return f"states are certified {until}, exponents up to there are {told} 1/s"
 
 
 # ---- MEGNO ----
