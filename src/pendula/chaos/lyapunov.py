@@ -66,8 +66,8 @@ class Lyapunov:
     mean_megno: Any
     transient: float
     trust_horizon: Any
-    finite_time: Array | None
-    finite_time_error: Array | None
+    finite_time: Any
+    finite_time_error: Any
     n_steps: Any
     outcome: Any
 

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from pendula._types import Array
 
+VERDICTS = "chaotic", "regular", "undecided"
 # Of the mean MEGNO, which tends to 2 on a torus and grows as λt/2 in chaos. Double rods with 4 to
 # 20 J, 800 starts, after 400 s: regular ones up to 4.7; chaotic ones, told by their exponent over
 # 8000 s, from 5.7 on, but for those that have kept to the edge of an island all the while. Of 150
