@@ -154,6 +154,16 @@ def test_a_family_is_dashed_where_it_is_unstable() -> None:
     assert "período T [s]" in texts(found.plot(language="es"))
 
 
+def test_a_family_is_drawn_round_its_fold() -> None:
+    rods = DoublePendulum.rods(1.17, 1.92, 0.55, 1.91, gravity=9.81)
+    found = family(normal_mode(rods, 1, energy=9.0), 6, energy=(8.0, 10.0))
+    (fold,) = found.changes
+    calm, wild = lines(found.plot().axes[0])
+    assert (calm.get_linestyle(), wild.get_linestyle()) == ("-", "--")
+    assert calm.get_xdata()[-1] == wild.get_xdata()[0] == fold.value
+    assert [*calm.get_xdata()[:-1], *wild.get_xdata()[1:]] == found.values.tolist()
+
+
 def test_a_bifurcation_has_the_exponent_below_and_marks_doublings() -> None:
     values = np.linspace(1.06, 1.075, 6)
     found = bifurcation(SCALED, "a", values, points=32, transient=100)
