@@ -151,7 +151,7 @@ def test_the_map_says_what_it_is() -> None:
 # ---- shares ----
 
 
-@pytest.mark.parametrize("energy", [4.0, 8.0, 12.0, 60.0])
+@pytest.mark.parametrize("energy", [4.0, 8.0, 10.0, 12.0, 60.0])
 def test_shares_are_those_of_another_program(energy: float) -> None:
     (stored,) = (
         each for each in document("chaos.json")["chaotic_share"] if each["energy"] == energy
