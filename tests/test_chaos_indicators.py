@@ -163,7 +163,9 @@ def test_the_spectrum_without_friction_is_in_pairs(form: str) -> None:
     assert np.abs(found.exponents[1:3]).max() < 0.02
 
 
-@pytest.mark.parametrize("row", [r for r in STORED["driven"] if r["a"] in (1.07, 1.15, 1.5)])
+@pytest.mark.parametrize(
+    "row", [r for r in STORED["driven"] if r["a"] in (0.9, 1.07, 1.15, 1.48, 1.5)]
+)
 def test_a_driven_pendulum(row: dict[str, float]) -> None:
     system = DrivenPendulum.scaled(row["q"], row["a"], 2.0 / 3.0)
     found = lyapunov(system, (0.2, 0.0), 6000.0, exponents=2, transient=1000.0)

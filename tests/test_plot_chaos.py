@@ -103,6 +103,16 @@ def test_several_exponents_and_several_motions() -> None:
     assert "regular (2)" in texts(figure)
 
 
+def test_names_of_all_exponents_fit_into_the_figure() -> None:
+    figure = lyapunov(RODS, WILD, 100.0, exponents=4).plot(language="es")
+    figure.draw_without_rendering()
+    (legend,) = figure.legends
+    assert len(legend.get_texts()) == 4
+    for text in legend.get_texts():
+        assert text.get_window_extent().x1 < figure.bbox.x1
+    assert len(figure.axes[0].collections) == 2  # bands of those that differ from 0
+
+
 def test_megno_and_sali() -> None:
     t = np.linspace(1.0, 60.0, 60)
     calm = megno(RODS, CALM, t).plot()
@@ -180,6 +190,9 @@ def test_a_bifurcation_has_the_exponent_below_and_marks_doublings() -> None:
     assert "a = 1" not in texts(found.plot())  # it is the axis
     degrees = plot.bifurcation(found, quantity="angle", language="es")
     assert degrees.axes[0].get_ylabel() == "ángulo θ [°]"
+    (legend,) = degrees.legends
+    said = [each.get_text() for each in legend.get_texts()]
+    assert said == ["λ < 3 errores estándar", "cambia la estabilidad"]
 
 
 # ---- maps ----

@@ -30,7 +30,7 @@ if TYPE_CHECKING:
     from pendula._engine import SystemEntry
     from pendula.chaos import Lyapunov, Megno
 
-_ROWS = 11  # of a table: ten intervals
+_ROWS = 10  # of a table
 
 
 # ---- exponents ----
@@ -159,7 +159,7 @@ def _megno(entry: SystemEntry, **given: Any) -> None:
 
 def _megno_table(found: Megno) -> str:
     count = found.t.size
-    chosen = sorted({round(i * (count - 1) / (_ROWS - 1)) for i in range(_ROWS)})
+    chosen = sorted({math.ceil(i * count / _ROWS) - 1 for i in range(1, _ROWS + 1)})
     rows = [
         [f"{found.t[i]:.6g}"]
         + [f"{float(each[i]):.6g}" for each in (found.megno, found.mean, found.rate, found.growth)]

@@ -11,7 +11,7 @@ from pendula._late_methods import method_of
 from pendula._messages import ArgumentError
 from pendula.chaos.families import Family
 from pendula.chaos.orbit import PeriodicOrbit
-from pendula.plot.case import case_of, start_of, symbol_of
+from pendula.plot.case import axis_of, case_of, start_of
 from pendula.plot.labels import labels
 from pendula.plot.style import FAINT, INK, degree_ticks, panels, styled
 
@@ -180,7 +180,9 @@ def _named(above: Axes, below: Axes, found: Family, words: Labels) -> None:
     driven = not found.orbits[0].conservative
     below.set_ylabel(words.axis["multiplier_total" if driven else "multiplier_sum"])
     energy = found.along == "energy"
-    below.set_xlabel(words.axis["energy"] if energy else symbol_of(found.along))
+    below.set_xlabel(
+        words.axis["energy"] if energy else axis_of(found.orbits[0].system, found.along)
+    )
 
 
 def _case_of_family(found: Family, words: Labels) -> str:
