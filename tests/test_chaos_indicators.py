@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+from indicated import CALM, CASES, RODS, STORED, WILD, double_of, each_case, of
 from pendula import (
     DampedDoublePendulum,
     DoublePendulum,
@@ -17,27 +18,8 @@ from pendula import (
 )
 from pendula.chaos import gali, lyapunov, megno, sali, tangent_map
 from refusals import told
-from stored import document
 
-STORED = document("chaos.json")
-CASES = STORED["indicators"]
-each_case = pytest.mark.parametrize("case", CASES, ids=lambda case: case["name"])
-RODS = DoublePendulum.rods(gravity=9.81)
-WILD, CALM = (2.0, 2.5, 0.0, 0.0), (0.4, -0.3, 0.2, 0.1)
 STARTS = np.array([WILD, CALM, (1.2, 1.5, 0.0, 0.0), (0.1, 0.2, 5.0, 3.0), (-1.0, 2.0, 0.0, 1.0)])
-
-
-def double_of(given: dict[str, Any]) -> DoublePendulum:
-    values = {key: given[key] for key in ("m1", "m2", "l1", "l2", "gravity")}
-    made: DoublePendulum = getattr(DoublePendulum, given["form"])(**values)
-    return made
-
-
-def of(case: dict[str, Any], name: str, until: float = 10.0) -> tuple[list[float], np.ndarray]:
-    """Times up to one, and the stored values there; NaN: not stored."""
-    rows = [row for row in case["values"] if row["t"] <= until]
-    values = [float("nan") if row[name] is None else float(row[name]) for row in rows]
-    return [float(row["t"]) for row in rows], np.array(values)
 
 
 # ---- stored values ----
@@ -185,52 +167,6 @@ def test_a_transient_is_left_out() -> None:
     between = (whole.growth[1] - whole.growth[0]) / 100.0
     assert found.exponents[0] == pytest.approx(between, abs=1e-9)
     assert (found.t[0], found.t[-1]) == (50.0 + 0.25, 150.0)
-
-
-def test_a_certified_exponent_ends_with_the_trust_in_the_states() -> None:
-    found = lyapunov(RODS, WILD, 60.0, certify=1e-6)
-    assert 10.0 < found.trust_horizon < 60.0
-    right = solve(RODS, WILD, [60.0], certify=1e-6).trust_horizon
-    assert found.trust_horizon == right
-    short = lyapunov(RODS, WILD, float(found.trust_horizon))
-    assert found.finite_time[0] == pytest.approx(short.exponents[0], abs=1e-5)
-
-
-@each_case
-def test_certified_exponents_are_off_by_no_more_than_they_say(case: dict[str, Any]) -> None:
-    system = double_of(case["system"])
-    for t, want in list(zip(*of(case, "finite_time_lyapunov", 20.0), strict=True))[1::2]:
-        found = lyapunov(system, case["state"], t, certify=1e-3)
-        if found.trust_horizon < t:
-            continue
-        (error,) = found.finite_time_error
-        assert abs(found.finite_time[0] - want) <= error
-        assert found.digits[0] >= (12 if t <= 2.0 else 7 if t <= 10.0 else 2)
-        printed = float(f"{found.finite_time[0]:.{found.digits[0]}f}")
-        assert abs(printed - want) <= 10.0 ** -float(found.digits[0])
-
-
-@each_case
-def test_a_certified_spectrum_is_off_by_no_more_than_it_says(case: dict[str, Any]) -> None:
-    system = double_of(case["system"])
-    for row in case["values"][2:4]:  # at 5 and 10 s
-        found = lyapunov(
-            system, case["state"], row["t"], exponents=4, tangent=np.eye(4), certify=1e-3
-        )
-        want = [float(each) for each in row["exponents_of_unit_frame"]]
-        assert (np.abs(found.finite_time - want) <= found.finite_time_error).all()
-        assert found.finite_time_error.max() <= 1e-7
-
-
-def test_an_exponent_is_certified_from_the_end_of_the_transient_on() -> None:
-    found = lyapunov(RODS, WILD, 40.0, transient=5.0, certify=1e-6)
-    whole = megno(RODS, WILD, [5.0, found.trust_horizon])
-    grown = (whole.growth[1] - whole.growth[0]) / (found.trust_horizon - 5.0)
-    assert found.finite_time[0] == pytest.approx(grown, abs=1e-5)
-    late = lyapunov(RODS, np.array([WILD, CALM]), 10.0, transient=40.0, certify=1e-6)
-    assert np.isnan(late.finite_time[0, 0])
-    assert np.isfinite(late.finite_time[1, 0])
-    assert late.digits.tolist() == [[0], [late.digits[1, 0]]]
 
 
 # ---- the same bits ----

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any
 
 from pendula._checks import checked_progress, number, positive_number, whole_number
@@ -18,6 +18,7 @@ from pendula.chaos.verdict import verdict_of
 from pendula.run.options import takes_options
 
 if TYPE_CHECKING:
+    from collections.abc import Mapping
     from typing import Unpack
 
     import xarray as xr
@@ -54,6 +55,7 @@ class Lyapunov:
         finite_time_error: by how much those may be off, (k,) [1/s]; None: not asked.
         n_steps: taken.
         outcome: how the run ended.
+        recipe: the arguments that it was made with, beside system, and start.
     """
 
     system: System
@@ -70,6 +72,7 @@ class Lyapunov:
     finite_time_error: Any
     n_steps: Any
     outcome: Any
+    recipe: Mapping[str, Any] = field(default_factory=dict)
 
     @property
     def sum(self) -> Array:
@@ -136,7 +139,7 @@ class Lyapunov:
             error = self.finite_time_error
             told["finite_time_error"] = (("order",), error, rate, "of that, at most")
             told["trust_horizon"] = ((), self.trust_horizon, "s", "until when states are right")
-        return dataset_of("Lyapunov", self.system, self.start, self.t, told)
+        return dataset_of("Lyapunov", self.system, self.start, self.t, told, self.recipe)
 
     if TYPE_CHECKING:  # attached by the module that defines it
 
@@ -218,7 +221,9 @@ def lyapunov(
         right = certified(asked, plan, certify, part(report, 0.1, 1.0))
     running = growth / elapsed[:, np.newaxis]
     errors = standard_errors(growth, length)
-    return _collected(asked, t, running, errors, mean_megno, before, right, found)
+    how = {"t_max": length, "exponents": plan.count, "transient": before, "certify": certify}
+    recipe = asked.recipe(tangent, **how)
+    return _collected(asked, t, running, errors, mean_megno, right, found, recipe)
 
 
 def _collected(
@@ -227,9 +232,9 @@ def _collected(
     running: Array,
     errors: Array,
     mean_megno: Array,
-    before: float,
     right: Certified | None,
     found: VariedRuns,
+    recipe: Mapping[str, Any],
 ) -> Lyapunov:
     """The result, for one motion or several as they were asked for."""
     shaped = asked.shaped
@@ -242,12 +247,13 @@ def _collected(
         shaped(running),
         shaped(verdict_of(mean_megno)),
         shaped(mean_megno),
-        before,
+        recipe["transient"],
         None if right is None else shaped(right.horizon),
         None if right is None else shaped(right.exponents),
         None if right is None else shaped(right.errors),
         shaped(found.n_steps),
         shaped(found.outcomes),
+        recipe,
     )
 
 
