@@ -9,9 +9,7 @@ import pytest
 
 from drawn import texts
 from pendula import DoublePendulum, DrivenPendulum, plot
-from pendula.chaos import (
-    section,
-)
+from pendula.chaos import chaotic_share, section
 
 RODS = DoublePendulum.rods(gravity=9.81)
 WILD, CALM = (2.0, 2.5, 0.0, 0.0), (0.4, -0.3, 0.2, 0.1)
@@ -69,3 +67,17 @@ def test_a_strobed_section_has_angle_and_rate() -> None:
     figure = section(SCALED, (0.1, 0.0), crossings=30).plot()
     assert figure.axes[0].get_ylabel() == "angular velocity ω"
     assert len(figure.axes[0].collections[0].get_offsets()) == 30
+
+
+def test_a_share_is_drawn_with_its_error_and_what_is_open() -> None:
+    found = chaotic_share(RODS, [12.0, 8.0], n=20, t_max=50.0)
+    figure = plot.chaotic_share(found, language="es")
+    above, below = figure.axes
+    (line,) = (each for each in above.get_lines() if each.get_marker() == "o")
+    assert np.asarray(line.get_xdata()).tolist() == [8.0, 12.0]
+    assert np.asarray(line.get_ydata()).tolist() == found.share.values[::-1].tolist()
+    assert (above.get_ylabel(), below.get_xlabel()) == ("parte caótica", "energía [J]")
+    assert f"{ES}; t = 50 s" in texts(figure)
+    assert "indeciso" in texts(figure)
+    with pytest.raises(ValueError, match=r"dataset must be what pendula\.chaos\.chaotic_share"):
+        plot.chaotic_share(OTHER)
