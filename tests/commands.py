@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import csv
+import json
 import re
 import signal
 import subprocess
@@ -9,6 +11,7 @@ import sys
 import time
 from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 Call = Callable[..., tuple[int, str, str]]  # exit code, stdout, stderr of a line
 
@@ -16,6 +19,19 @@ Call = Callable[..., tuple[int, str, str]]  # exit code, stdout, stderr of a lin
 def unfolded(printed: str) -> str:
     """What was printed, each paragraph in one line again."""
     return re.sub(r"\n  (?=\S)", " ", printed)
+
+
+def table_of(path: str) -> tuple[dict[str, Any], dict[str, list[str]]]:
+    """What a file says of itself, and its columns."""
+    with Path(path).open(encoding="utf-8") as file:
+        told = json.loads(file.readline().removeprefix("# pendula: "))
+        header, *rows = csv.reader(file)
+    return told, {name: [row[i] for row in rows] for i, name in enumerate(header)}
+
+
+def floats(column: list[str]) -> list[float]:
+    """A column of a table as numbers."""
+    return [float(each) for each in column]
 
 
 READY = (

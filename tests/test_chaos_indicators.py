@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+from indicated import CALM, CASES, RODS, STORED, WILD, double_of, each_case, of
 from pendula import (
     DampedDoublePendulum,
     DoublePendulum,
@@ -17,27 +18,8 @@ from pendula import (
 )
 from pendula.chaos import gali, lyapunov, megno, sali, tangent_map
 from refusals import told
-from stored import document
 
-STORED = document("chaos.json")
-CASES = STORED["indicators"]
-each_case = pytest.mark.parametrize("case", CASES, ids=lambda case: case["name"])
-RODS = DoublePendulum.rods(gravity=9.81)
-WILD, CALM = (2.0, 2.5, 0.0, 0.0), (0.4, -0.3, 0.2, 0.1)
 STARTS = np.array([WILD, CALM, (1.2, 1.5, 0.0, 0.0), (0.1, 0.2, 5.0, 3.0), (-1.0, 2.0, 0.0, 1.0)])
-
-
-def double_of(given: dict[str, Any]) -> DoublePendulum:
-    values = {key: given[key] for key in ("m1", "m2", "l1", "l2", "gravity")}
-    made: DoublePendulum = getattr(DoublePendulum, given["form"])(**values)
-    return made
-
-
-def of(case: dict[str, Any], name: str, until: float = 10.0) -> tuple[list[float], np.ndarray]:
-    """Times up to one, and the stored values there; NaN: not stored."""
-    rows = [row for row in case["values"] if row["t"] <= until]
-    values = [float("nan") if row[name] is None else float(row[name]) for row in rows]
-    return [float(row["t"]) for row in rows], np.array(values)
 
 
 # ---- stored values ----
@@ -79,6 +61,14 @@ def test_megno_of_a_regular_motion_is_two() -> None:
     found = megno(RODS, starts, [2000.0])
     assert np.abs(found.mean[:, -1] - 2.0).max() < 0.1
     assert list(found.verdict) == ["regular"] * 3
+
+
+@pytest.mark.parametrize("name", ["rods-regular", "rods-fast"])
+def test_megno_of_the_stored_regular_motions_is_two(name: str) -> None:
+    (case,) = (each for each in CASES if each["name"] == name)
+    found = megno(double_of(case["system"]), case["state"], [2000.0])
+    assert abs(found.mean[0] - 2.0) < 0.03
+    assert found.verdict == "regular"
 
 
 def test_sali_tells_chaos_from_order() -> None:
@@ -124,21 +114,25 @@ def test_where_nothing_is_chaotic_the_exponent_tends_to_zero(motion: str) -> Non
     assert one.verdict == "regular"
 
 
-@pytest.mark.parametrize("energy", [20.0, 30])
-def test_long_exponents_are_those_of_another_program(energy: float) -> None:
+@pytest.mark.parametrize(
+    ("form", "energy"),
+    [("rods", 15.0), ("rods", 20.0), ("rods", 30), ("rods", 60.0), ("bobs", 30)],
+)
+def test_long_exponents_are_those_of_another_program(form: str, energy: float) -> None:
     """Within three combined errors, of a start in the same chaotic sea."""
     (stored,) = (
-        each for each in STORED["long_runs"] if (each["form"], each["energy"]) == ("rods", energy)
+        each for each in STORED["long_runs"] if (each["form"], each["energy"]) == (form, energy)
     )
+    system = getattr(DoublePendulum, form)(gravity=9.81)
     start = np.array([0.0, 0.5, 0.0, 0.0])
-    left = energy - RODS.energy(start)
-    start[2] = np.sqrt(2.0 * left / RODS.constants["A"])
-    found = lyapunov(RODS, start, 4000.0)
-    assert RODS.energy(start) == pytest.approx(energy)
+    left = energy - system.energy(start)
+    start[2] = np.sqrt(2.0 * left / system.constants["A"])
+    found = lyapunov(system, start, 4000.0)
+    assert system.energy(start) == pytest.approx(energy)
     combined = np.hypot(found.standard_error[0], stored["standard_error"])
     assert abs(found.exponents[0] - stored["mean_of_chaotic"]) < 3.0 * combined
     assert found.verdict == "chaotic"
-    assert found.standard_error[0] < 0.05
+    assert found.standard_error[0] < 0.15 * found.exponents[0]
 
 
 @pytest.mark.parametrize("form", ["rods", "bobs"])
@@ -151,7 +145,9 @@ def test_the_spectrum_without_friction_is_in_pairs(form: str) -> None:
     assert np.abs(found.exponents[1:3]).max() < 0.02
 
 
-@pytest.mark.parametrize("row", [r for r in STORED["driven"] if r["a"] in (1.07, 1.15, 1.5)])
+@pytest.mark.parametrize(
+    "row", [r for r in STORED["driven"] if r["a"] in (0.9, 1.07, 1.15, 1.48, 1.5)]
+)
 def test_a_driven_pendulum(row: dict[str, float]) -> None:
     system = DrivenPendulum.scaled(row["q"], row["a"], 2.0 / 3.0)
     found = lyapunov(system, (0.2, 0.0), 6000.0, exponents=2, transient=1000.0)
@@ -171,17 +167,6 @@ def test_a_transient_is_left_out() -> None:
     between = (whole.growth[1] - whole.growth[0]) / 100.0
     assert found.exponents[0] == pytest.approx(between, abs=1e-9)
     assert (found.t[0], found.t[-1]) == (50.0 + 0.25, 150.0)
-
-
-def test_a_certified_exponent_ends_with_the_trust_in_the_states() -> None:
-    found = lyapunov(RODS, WILD, 60.0, certify=1e-6)
-    assert found.finite_time is not None
-    assert 10.0 < found.trust_horizon < 60.0
-    right = solve(RODS, WILD, [60.0], certify=1e-6).trust_horizon
-    assert found.trust_horizon == right
-    assert right is not None
-    last = found.t[found.t <= right][-1]
-    assert found.finite_time[0] == found.running[found.t == last, 0].item()
 
 
 # ---- the same bits ----

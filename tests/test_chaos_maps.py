@@ -17,7 +17,7 @@ import pytest
 import xarray as xr
 
 from chunked import files
-from pendula import DoublePendulum, SimplePendulum
+from pendula import DoublePendulum, SimplePendulum, chunks
 from pendula.chaos import (
     chaotic_share,
     energy_surface,
@@ -151,7 +151,7 @@ def test_the_map_says_what_it_is() -> None:
 # ---- shares ----
 
 
-@pytest.mark.parametrize("energy", [4.0, 8.0, 12.0, 60.0])
+@pytest.mark.parametrize("energy", [4.0, 8.0, 10.0, 12.0, 60.0])
 def test_shares_are_those_of_another_program(energy: float) -> None:
     (stored,) = (
         each for each in document("chaos.json")["chaotic_share"] if each["energy"] == energy
@@ -178,6 +178,29 @@ def test_a_share_is_what_the_verdicts_of_its_starts_say() -> None:
     xr.testing.assert_identical(again, found)
     other = chaotic_share(RODS, [9.0, 12.0], n=40, t_max=100.0, seed=6)
     assert not np.array_equal(other.exponent, found.exponent)
+
+
+def test_shares_have_a_store_that_a_stopped_run_goes_on_with(tmp_path: Path, client: Any) -> None:
+    how: dict[str, Any] = {"n": 20, "t_max": 20.0, "seed": 5}
+    whole = chaotic_share(RODS, [9.0, 12.0], **how, store=tmp_path / "whole.zarr")
+    xr.testing.assert_identical(whole, chaotic_share(RODS, [9.0, 12.0], **how))
+
+    def stop(part: float) -> None:
+        if part >= 0.5:
+            raise KeyboardInterrupt
+
+    stopped = tmp_path / "stopped.zarr"
+    with pytest.raises(KeyboardInterrupt, match="of 2 chunks"):
+        chaotic_share(RODS, [9.0, 12.0], **how, store=stopped, progress=stop)
+    xr.testing.assert_identical(chaotic_share(RODS, [9.0, 12.0], **how, store=stopped), whole)
+    assert files(stopped) == files(tmp_path / "whole.zarr")
+    spread = tmp_path / "spread.zarr"
+    chaotic_share(RODS, [9.0, 12.0], **how, store=spread, client=client)
+    assert files(spread) == files(stopped)
+    held = chunks.opened(stopped)
+    assert held.megno.shape == (2, 20)
+    with pytest.raises(ValueError, match="energies"):
+        chaotic_share(RODS, [9.0, 13.0], **how, store=stopped)
 
 
 @pytest.mark.parametrize(

@@ -187,6 +187,43 @@ def test_where_a_mode_loses_its_stability(mode: int, energy: float, n: int) -> N
     assert abs(change.orbit.multiplier_sum - 2.0) < 1e-12
 
 
+RESONANT = DoublePendulum.rods(1.17, 1.92, 0.55, 1.91, gravity=9.81)
+
+
+def test_a_family_goes_round_its_folds() -> None:
+    """Where it turns, its energy is a maximum or minimum also by orbits of kept θ1."""
+    found = family(normal_mode(RESONANT, 1, energy=2.0), 15, energy=(0.5, 15.0))
+    assert found.outcome == "reached_end"
+    assert [each.energy for each in found.orbits] == pytest.approx(found.values)
+    upper, lower = found.changes
+    assert upper.fold
+    assert lower.fold
+    rises = np.diff(found.values) > 0.0
+    assert rises[: upper.place - 1].all()
+    assert not rises[upper.place : lower.place - 1].any()
+    assert rises[lower.place :].all()
+    assert [each.stable for each in found.orbits] == [
+        not upper.place <= i < lower.place for i in range(len(found.orbits))
+    ]
+    for fold, sign in ((upper, 1.0), (lower, -1.0)):
+        beside = [fold.orbit.state + np.array([h, 0.0, 0.0, 0.0]) for h in (-3e-4, 0.0, 3e-4)]
+        left, there, right = (
+            periodic_orbit(RESONANT, each, fold.orbit.period).energy for each in beside
+        )
+        assert sign * (there - max(left, right, key=lambda e: sign * e)) > 0.0
+        top = there - (right - left) ** 2 / (8.0 * (right - 2.0 * there + left))
+        assert abs(fold.value - top) < 1e-9
+
+
+def test_a_family_that_turns_back_is_told() -> None:
+    found = family(normal_mode(RESONANT, 1, energy=9.0), 6, energy=(8.0, 10.0))
+    assert found.outcome == "turned"
+    assert found.values.tolist() == pytest.approx(
+        [8.0, 8.4, 8.8, 9.2, 9.6, 9.6, 9.2, 8.8, 8.4, 8.0]
+    )
+    assert [each.fold for each in found.changes] == [True]
+
+
 def test_a_family_by_a_parameter() -> None:
     orbit = periodic_orbit(driven(0.1), (0.0, 0.0))
     found = family(orbit, 20, a=(0.1, 1.05))

@@ -10,7 +10,7 @@ import pytest
 
 import refusals
 from pendula import DoublePendulum, DrivenPendulum, SimplePendulum, events, poincare_section, solve
-from pendula.chaos import energy_surface, section, section_starts
+from pendula.chaos import energy_surface, megno, sali, section, section_starts
 
 PINNED = [
     "0x1.926e545e3f061p-2",
@@ -121,6 +121,23 @@ def test_a_stroboscopic_section() -> None:
     assert np.array_equal(found.states[1], solve(system, (1.0, 1.0), found.times[1]).states)
     assert (abs(found.points[..., 0]) <= math.pi).all()
     assert "t" in found.to_xarray()
+
+
+@pytest.mark.parametrize("indicator", ["megno", "lyapunov", "sali"])
+def test_a_section_has_an_indicator_of_each_motion(indicator: str) -> None:
+    rods = DoublePendulum.rods()
+    found = section(rods, energy=12.0, starts=5, crossings=2, indicator=indicator, t_max=30.0)
+    starts = found.starts
+    want = {
+        "megno": lambda: megno(rods, starts, [30.0]).mean[:, -1],
+        "lyapunov": lambda: megno(rods, starts, [30.0]).growth[:, -1] / 30.0,
+        "sali": lambda: sali(rods, starts, [30.0]).value[:, -1],
+    }[indicator]()
+    assert found.values is not None
+    assert found.values.tolist() == want.tolist()
+    assert (found.recipe["indicator"], found.recipe["t_max"]) == (indicator, 30.0)
+    assert found.to_xarray()[indicator].dims == ("start",)
+    assert section(rods, energy=12.0, starts=5, crossings=2).values is None
 
 
 def test_a_run_that_ends_early_leaves_gaps() -> None:

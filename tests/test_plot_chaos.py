@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 from matplotlib.colors import to_rgb
 from matplotlib.figure import Figure
-from matplotlib.text import Text
 
+from drawn import texts
 from pendula import DampedDoublePendulum, DoublePendulum, DrivenPendulum, SimplePendulum, plot
 from pendula.chaos import (
     bifurcation,
@@ -33,12 +33,6 @@ SCALED = DrivenPendulum.scaled(2.0, 1.0, 2.0 / 3.0)
 OTHER: Any = 3
 EN = "rods: m₁ = m₂ = 1 kg; l₁ = l₂ = 1 m; g = 9.81 m/s²"
 ES = "varillas: m₁ = m₂ = 1 kg; l₁ = l₂ = 1 m; g = 9,81 m/s²"
-
-
-def texts(figure: Any) -> str:
-    figure.draw_without_rendering()
-    found = [each.get_text() for each in figure.findobj(Text) if isinstance(each, Text)]
-    return "\n".join(found)
 
 
 def lines(ax: Any) -> list[Any]:
@@ -109,6 +103,16 @@ def test_several_exponents_and_several_motions() -> None:
     assert "regular (2)" in texts(figure)
 
 
+def test_names_of_all_exponents_fit_into_the_figure() -> None:
+    figure = lyapunov(RODS, WILD, 100.0, exponents=4).plot(language="es")
+    figure.draw_without_rendering()
+    (legend,) = figure.legends
+    assert len(legend.get_texts()) == 4
+    for text in legend.get_texts():
+        assert text.get_window_extent().x1 < figure.bbox.x1
+    assert len(figure.axes[0].collections) == 2  # bands of those that differ from 0
+
+
 def test_megno_and_sali() -> None:
     t = np.linspace(1.0, 60.0, 60)
     calm = megno(RODS, CALM, t).plot()
@@ -123,32 +127,6 @@ def test_megno_and_sali() -> None:
 
 
 # ---- sections ----
-
-
-def test_a_section_shows_its_points_in_the_colours_of_an_indicator() -> None:
-    found = section(RODS, energy=10.0, starts=6, crossings=20)
-    black = found.plot(language="es")
-    points = black.axes[0].collections[0].get_offsets()
-    wanted = found.points.reshape(-1, 2) * (180.0 / np.pi, 1.0)
-    np.testing.assert_allclose(points, wanted)
-    assert black.axes[0].get_xlabel() == "ángulo θ₂ [°]"
-    assert black.axes[0].get_ylabel() == "momento p₂ [J s]"
-    assert f"{ES}; E = 10 J" in texts(black)
-    values = np.array([2.0, 100.0, 3.0, 50.0, 2.0, 10.0])
-    figure = plot.section(found, values)
-    drawn: Any = figure.axes[0].collections[0]
-    assert drawn.norm.vmin == 2.0
-    assert drawn.norm.vmax == 100.0
-    assert list(np.unique(drawn.get_array())) == sorted(set(values))
-    first = drawn.get_array()[0]
-    assert first == 100.0  # chaotic motions lie below
-    assert figure.axes[1].get_ylabel() == "mean MEGNO ⟨Y⟩"
-
-
-def test_a_strobed_section_has_angle_and_rate() -> None:
-    figure = section(SCALED, (0.1, 0.0), crossings=30).plot()
-    assert figure.axes[0].get_ylabel() == "angular velocity ω"
-    assert len(figure.axes[0].collections[0].get_offsets()) == 30
 
 
 # ---- orbits, families, bifurcations ----
@@ -186,6 +164,16 @@ def test_a_family_is_dashed_where_it_is_unstable() -> None:
     assert "período T [s]" in texts(found.plot(language="es"))
 
 
+def test_a_family_is_drawn_round_its_fold() -> None:
+    rods = DoublePendulum.rods(1.17, 1.92, 0.55, 1.91, gravity=9.81)
+    found = family(normal_mode(rods, 1, energy=9.0), 6, energy=(8.0, 10.0))
+    (fold,) = found.changes
+    calm, wild = lines(found.plot().axes[0])
+    assert (calm.get_linestyle(), wild.get_linestyle()) == ("-", "--")
+    assert calm.get_xdata()[-1] == wild.get_xdata()[0] == fold.value
+    assert [*calm.get_xdata()[:-1], *wild.get_xdata()[1:]] == found.values.tolist()
+
+
 def test_a_bifurcation_has_the_exponent_below_and_marks_doublings() -> None:
     values = np.linspace(1.06, 1.075, 6)
     found = bifurcation(SCALED, "a", values, points=32, transient=100)
@@ -202,6 +190,9 @@ def test_a_bifurcation_has_the_exponent_below_and_marks_doublings() -> None:
     assert "a = 1" not in texts(found.plot())  # it is the axis
     degrees = plot.bifurcation(found, quantity="angle", language="es")
     assert degrees.axes[0].get_ylabel() == "ángulo θ [°]"
+    (legend,) = degrees.legends
+    said = [each.get_text() for each in legend.get_texts()]
+    assert said == ["λ < 3 errores estándar", "cambia la estabilidad"]
 
 
 # ---- maps ----

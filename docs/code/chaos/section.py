@@ -1,4 +1,3 @@
-found = chaos.section(rods, energy=10.0, starts=40, crossings=300)
-megno = chaos.megno(rods, found.starts, [200.0])
-picture = plot.section(found, megno.mean[:, -1])
-print(found, (megno.verdict == "chaotic").sum(), "of them chaotic")
+found = chaos.section(rods, energy=10.0, starts=40, crossings=300, indicator="megno", t_max=200.0)
+picture = found.plot()
+print(found, (found.values > 5.5).sum(), "of them chaotic")

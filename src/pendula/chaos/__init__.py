@@ -6,9 +6,10 @@ from typing import TYPE_CHECKING, Any
 
 from pendula.chaos.alignment import Alignment, gali, sali
 from pendula.chaos.bifurcation import Bifurcation, bifurcation
+from pendula.chaos.changes import Change
 from pendula.chaos.doublings import period_doublings
 from pendula.chaos.energy_surface import energy_surface
-from pendula.chaos.families import Change, Family, family
+from pendula.chaos.families import Family, family
 from pendula.chaos.frequencies import Frequencies, frequencies
 from pendula.chaos.lyapunov import Lyapunov, lyapunov
 from pendula.chaos.megno import Megno, megno

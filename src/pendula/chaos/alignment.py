@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 from pendula._checks import checked_progress, whole_number
@@ -15,6 +15,7 @@ from pendula.chaos.variations import OPTIONS, Asked, VariedRuns, asked_of, first
 from pendula.run.options import takes_options
 
 if TYPE_CHECKING:
+    from collections.abc import Mapping
     from typing import Unpack
 
     import xarray as xr
@@ -43,6 +44,7 @@ class Alignment:
         n_steps: taken.
         outcome: how the run ended.
         reached: the time up to which the run was made [s].
+        recipe: the arguments that it was made with, beside system, start and times.
     """
 
     system: System
@@ -54,6 +56,7 @@ class Alignment:
     n_steps: Any
     outcome: Any
     reached: Any
+    recipe: Mapping[str, Any] = field(default_factory=dict)
 
     def to_xarray(self) -> xr.Dataset:
         """The indicator over time (extra: io)."""
@@ -63,7 +66,7 @@ class Alignment:
             "n_steps": ((), self.n_steps, "1", "steps of the run"),
             "outcome": ((), self.outcome, "", "how the run ended"),
         }
-        return dataset_of("Alignment", self.system, self.start, self.t, told)
+        return dataset_of("Alignment", self.system, self.start, self.t, told, self.recipe)
 
     if TYPE_CHECKING:  # attached by the module that defines it
 
@@ -109,7 +112,7 @@ def sali(
     asked = asked_of(system, state, t, t0, "sali", **options)
     given = first_variations(asked.system, tangents, 2, "tangents")
     runs = asked.runs(given, "free", threads, checked_progress(progress))
-    return _alignment(asked, runs, sali_of(runs.directions), 2)
+    return _alignment(asked, runs, sali_of(runs.directions), 2, asked.recipe(tangents))
 
 
 @with_bar("GALI")
@@ -150,7 +153,7 @@ def gali(
         raise ArgumentError("k", "must be 2 directions or more, got {value}", value=count)
     given = first_variations(asked.system, tangents, count, "tangents")
     runs = asked.runs(given, "free", threads, checked_progress(progress))
-    return _alignment(asked, runs, gali_of(runs.directions), count)
+    return _alignment(asked, runs, gali_of(runs.directions), count, asked.recipe(tangents, k=count))
 
 
 def sali_of(directions: Array) -> Array:
@@ -181,7 +184,9 @@ def _units(directions: Array) -> Array:
     return units
 
 
-def _alignment(asked: Asked, runs: VariedRuns, value: Array, count: int) -> Alignment:
+def _alignment(
+    asked: Asked, runs: VariedRuns, value: Array, count: int, recipe: Mapping[str, Any]
+) -> Alignment:
     import numpy as np
 
     below = np.argmax(np.asarray(value) < ALIGNED, axis=1)  # 0, too, where none is
@@ -198,4 +203,5 @@ def _alignment(asked: Asked, runs: VariedRuns, value: Array, count: int) -> Alig
         shaped(runs.n_steps),
         shaped(runs.outcomes),
         shaped(runs.reached),
+        recipe,
     )

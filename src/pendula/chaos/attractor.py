@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 
     from pendula._progress import Progress
     from pendula._types import Array
-    from pendula.chaos.families import Change
+    from pendula.chaos.changes import Change
     from pendula.systems import DoublePendulum, System
 
 _MOST_PERIODS = 64

@@ -31,7 +31,7 @@ if TYPE_CHECKING:
 
     from pendula._progress import AskedProgress
     from pendula._types import Array
-    from pendula.chaos.families import Change
+    from pendula.chaos.changes import Change
 
 _MOST_VALUES, _MOST_POINTS, _LEAST_POINTS = 10**6, 10**6, 32
 _MOST_TRANSIENT = 10**7

@@ -23,7 +23,12 @@ _MOTION = "motion"
 
 
 def dataset_of(
-    measure: str, system: System, start: Array, t: Array, told: Mapping[str, Told]
+    measure: str,
+    system: System,
+    start: Array,
+    t: Array,
+    told: Mapping[str, Told],
+    recipe: Mapping[str, Any],
 ) -> xr.Dataset:
     """A dataset over t, and over motion where `start` is (n, d) (extra: io).
 
@@ -33,6 +38,7 @@ def dataset_of(
         start: of the motion, (d,), or of n, (n, d).
         t: times (m,) [s].
         told: further variables by name.
+        recipe: the arguments that it was made with.
     """
     several = (_MOTION,) if start.ndim == 2 else ()
     data: dict[str, Any] = {
@@ -43,6 +49,7 @@ def dataset_of(
         attrs = {"units": unit, "long_name": f"{name} at the start"}
         data[f"{name}_start"] = (several, start[..., i], attrs)
     described = {KEY: __version__, "chaos": measure, "system": system.description()}
+    described["recipe"] = dict(recipe)
     made: xr.Dataset = extra("xarray", "io").Dataset(
         data,
         coords={"t": ("t", t, {"units": "s", "long_name": "time"})},

@@ -9,9 +9,9 @@ from typing import TYPE_CHECKING
 from pendula._checks import finite_number, one_of, whole_number
 from pendula._messages import ArgumentError
 from pendula.chaos.branch import Branch
+from pendula.chaos.changes import Change, changes_between
 from pendula.chaos.closing import Closing
 from pendula.chaos.drive import drive_period
-from pendula.chaos.families import Change, changes_between
 from pendula.chaos.newton import Closed, OrbitError
 from pendula.chaos.orbit import PeriodicOrbit, orbit_of
 from pendula.run.solve import solve

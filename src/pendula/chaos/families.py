@@ -3,17 +3,15 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
 from pendula._checks import extra, number_pair, one_of, whole_number
 from pendula._late_methods import with_promised
 from pendula._messages import ArgumentError
 from pendula.chaos.branch import Branch
-from pendula.chaos.multipliers import crossings
-from pendula.chaos.newton import OrbitError
+from pendula.chaos.changes import Change
+from pendula.chaos.following import by_energy, by_parameter
 from pendula.chaos.orbit import PeriodicOrbit
-from pendula.chaos.roots import root
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -25,28 +23,6 @@ if TYPE_CHECKING:
 _MOST_ORBITS = 10**5
 
 
-@dataclass(frozen=True, eq=False, repr=False)
-class Change:
-    """Where a family's stability changes.
-
-    Attributes:
-        value: the energy [J] or the parameter there.
-        multiplier: the value that one passes there, 1 or −1.
-        orbit: the orbit there.
-        below: its kind at smaller values.
-        above: its kind at larger values.
-    """
-
-    value: float
-    multiplier: int
-    orbit: PeriodicOrbit
-    below: str
-    above: str
-
-    def __repr__(self) -> str:
-        return f"<Change at {self.value:.12g}: {self.below} → {self.above}>"
-
-
 @with_promised
 @dataclass(frozen=True, eq=False, repr=False)
 class Family:
@@ -54,11 +30,13 @@ class Family:
 
     Attributes:
         along: "energy", or the parameter's name.
-        values: of it, rising, (n,) [J or the parameter's unit].
+        values: of it, (n,) [J or the parameter's unit]: rising, but behind a fold falling, and so
+            on, in the order along the family.
         orbits: one for each.
-        changes: of stability between them, rising. Two between neighbours are not seen: take a
-            larger n.
-        outcome: "reached_end", or "lost": the family ends, or turns back, before an end asked for.
+        changes: of stability between them, in that order, the folds among them. Two between
+            neighbours are not seen: take a larger n.
+        outcome: "reached_end"; "turned": back before an end asked for, at a fold; or "lost": the
+            family ends before, or cannot be followed.
         recipe: the arguments that it was made with.
     """
 
@@ -112,8 +90,10 @@ def family(orbit: PeriodicOrbit, n: int = 50, **along: tuple[float, float]) -> F
     """The orbits that an orbit grows into when its energy, or a parameter of its system, changes.
 
     Each is predicted from two before and corrected by Newton's method, with as many in between as
-    that takes. Where a multiplier passes 1 or −1, which is where stability changes, the value is
-    found as a root: of μ + 1/μ ∓ 2 without a drive, of the product of (1 ∓ μ) with one.
+    that takes. By energy that is done along the family's length, round folds (Keller 1977), and
+    each energy is given as often as the family has it. Where a multiplier passes 1 or −1, which is
+    where stability changes, the value is found as a root: of μ + 1/μ ∓ 2 without a drive, of the
+    product of (1 ∓ μ) with one.
 
     Args:
         orbit: to start from; symmetries that it has are kept.
@@ -133,64 +113,19 @@ def family(orbit: PeriodicOrbit, n: int = 50, **along: tuple[float, float]) -> F
     count = whole_number("n", n, _MOST_ORBITS)
     targets = np.linspace(low, high, count) if count > 1 else np.array([low])
     branch = Branch(orbit, name)
-    here = branch.value_of(orbit)
-    up = branch.follow(orbit, targets[targets >= here])
-    down = branch.follow(orbit, targets[targets < here][::-1])
-    every = sorted({**dict(down), here: orbit, **dict(up)}.items())
-    kept = {float(each) for each in targets}
-    chosen = [(value, each) for value, each in every if value in kept]
+    made = by_energy if orbit.conservative else by_parameter
+    chosen, changes, outcome = made(branch, [float(each) for each in targets])
     if not chosen:
         rule = "must reach the family of the orbit, whose own is {text}; got {value}"
-        raise ArgumentError(name, rule, value=(low, high), text=f"{here:.6g}")
-    inside = [(value, each) for value, each in every if low <= value <= high]
+        raise ArgumentError(name, rule, value=(low, high), text=f"{branch.value_of(orbit):.6g}")
     return Family(
         name,
         np.array([value for value, _ in chosen]),
         tuple(each for _, each in chosen),
-        tuple(changes_between(branch, inside)),
-        "reached_end" if len({value for value, _ in chosen}) == len(kept) else "lost",
+        tuple(changes),
+        outcome,
         {name: [low, high], "n": count, "orbit": dict(orbit.recipe)},
     )
-
-
-def changes_between(branch: Branch, known: list[tuple[float, PeriodicOrbit]]) -> list[Change]:
-    """Changes of stability between neighbours on a branch, located.
-
-    Args:
-        branch: that they are on.
-        known: values, rising, and orbits.
-    """
-    found = []
-    for (low, before), (high, after) in pairwise(known):
-        at_low = crossings(before.monodromy, conservative=before.conservative)
-        at_high = crossings(after.monodromy, conservative=after.conservative)
-        for name, value in at_low.items():
-            if value * at_high[name] < 0.0 and low < high:
-                ends = (low, before), (high, after)
-                found.append(_located(branch, name, ends, (value, at_high[name])))
-    return sorted((each for each in found if each is not None), key=lambda each: each.value)
-
-
-def _located(
-    branch: Branch,
-    name: str,
-    ends: tuple[tuple[float, PeriodicOrbit], tuple[float, PeriodicOrbit]],
-    values: tuple[float, float],
-) -> Change | None:
-    """The change where a function of the multipliers has its root; None: no orbit leads there."""
-    known = dict(ends)
-    (low, before), (high, after) = ends
-
-    def function(value: float) -> float:
-        orbit = branch.between(sorted(known.items()), value)
-        known[value] = orbit
-        return crossings(orbit.monodromy, conservative=orbit.conservative)[name]
-
-    try:
-        place = root(function, low, high, *values)
-    except OrbitError:
-        return None
-    return Change(place, int(name), known[place], before.kind, after.kind)
 
 
 def _checked_range(

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any
 
 from pendula._checks import checked_progress, number, positive_number, whole_number
@@ -10,19 +10,21 @@ from pendula._late_methods import with_promised
 from pendula._messages import ArgumentError
 from pendula._progress import part, with_bar
 from pendula._tables import html_table
+from pendula.chaos.certified import Certified, certified
 from pendula.chaos.datasets import dataset_of
-from pendula.chaos.variations import OPTIONS, Asked, asked_of, first_variations
-from pendula.chaos.verdict import standard_error_of_mean, verdict_of
+from pendula.chaos.growths import Plan, standard_errors
+from pendula.chaos.variations import OPTIONS, Asked, asked_of
+from pendula.chaos.verdict import verdict_of
 from pendula.run.options import takes_options
-from pendula.run.solve import solve
 
 if TYPE_CHECKING:
+    from collections.abc import Mapping
     from typing import Unpack
 
     import xarray as xr
     from numpy.typing import ArrayLike
 
-    from pendula._progress import AskedProgress, Progress
+    from pendula._progress import AskedProgress
     from pendula._types import Array
     from pendula.chaos.variations import VariedRuns
     from pendula.run.options import RunOptions
@@ -48,10 +50,12 @@ class Lyapunov:
         mean_megno: of the whole run; NaN where several exponents are asked for.
         transient: time left out at the start [s].
         trust_horizon: up to here the states are right to `certify`; None: not asked [s].
-        finite_time: the exponents up to the trust horizon, along states that are right, (k,) [1/s];
-            None: not asked.
+        finite_time: the exponents up to the trust horizon or the end, along states that are right,
+            (k,) [1/s]; NaN: it lies in the transient; None: not asked.
+        finite_time_error: by how much those may be off, (k,) [1/s]; None: not asked.
         n_steps: taken.
         outcome: how the run ended.
+        recipe: the arguments that it was made with, beside system, and start.
     """
 
     system: System
@@ -64,9 +68,11 @@ class Lyapunov:
     mean_megno: Any
     transient: float
     trust_horizon: Any
-    finite_time: Array | None
+    finite_time: Any
+    finite_time_error: Any
     n_steps: Any
     outcome: Any
+    recipe: Mapping[str, Any] = field(default_factory=dict)
 
     @property
     def sum(self) -> Array:
@@ -89,6 +95,20 @@ class Lyapunov:
         self._check_all()
         half = self.exponents.shape[-1] // 2
         return abs(self.exponents[..., :half] + self.exponents[..., : half - 1 : -1])
+
+    @property
+    def digits(self) -> Any:
+        """Decimals of the finite-time exponents that are right, (k,); None: not certified.
+
+        Printed with so many decimals, each is off by no more than one in the last.
+        """
+        import numpy as np
+
+        if self.finite_time_error is None:
+            return None
+        with np.errstate(invalid="ignore"):
+            decimals = np.floor(-np.log10(2.0 * self.finite_time_error))
+        return np.where(np.isfinite(decimals), np.maximum(decimals, 0.0), 0.0).astype(int)
 
     @property
     def settled(self) -> Any:
@@ -114,7 +134,12 @@ class Lyapunov:
             "n_steps": ((), self.n_steps, "1", "steps of the run"),
             "outcome": ((), self.outcome, "", "how the run ended"),
         }
-        return dataset_of("Lyapunov", self.system, self.start, self.t, told)
+        if self.finite_time is not None:
+            told["finite_time"] = (("order",), self.finite_time, rate, "up to the trust horizon")
+            error = self.finite_time_error
+            told["finite_time_error"] = (("order",), error, rate, "of that, at most")
+            told["trust_horizon"] = ((), self.trust_horizon, "s", "until when states are right")
+        return dataset_of("Lyapunov", self.system, self.start, self.t, told, self.recipe)
 
     if TYPE_CHECKING:  # attached by the module that defines it
 
@@ -183,21 +208,22 @@ def lyapunov(
 
     report = checked_progress(progress)
     length, before = positive_number("t_max", t_max, "s"), _checked_transient(transient)
-    parts = before + length * np.arange(1, _PARTS + 1) / _PARTS
-    times = parts if before == 0.0 else np.concatenate([[before], parts])
+    elapsed = length * np.arange(1, _PARTS + 1) / _PARTS
+    plan = Plan(exponents, tangent, before, threads)
+    t = t0 + (before + elapsed)
     certify = options.pop("certify", None)
-    asked = asked_of(system, state, t0 + times, t0, "lyapunov", **options)
-    count = whole_number("exponents", exponents, len(asked.system.components))
+    asked = asked_of(system, state, plan.outputs(t0, t), t0, "lyapunov", **options)
+    plan = replace(plan, count=whole_number("exponents", exponents, len(asked.system.components)))
     runs = part(report, 0.0, 0.1 if certify is not None else 1.0)
-    growth, mean_megno, found = _growth(asked, count, tangent, threads, runs)
-    if before > 0.0:
-        growth = growth[:, 1:] - growth[:, :1]
-    running = growth / (parts - before)[:, np.newaxis]
-    horizon = None
+    growth, mean_megno, found = plan.growth(asked, runs)
+    right = None
     if certify is not None:
-        horizon = _horizons(asked, certify, part(report, 0.1, 1.0))
-    errors = _errors(growth, length)
-    return _collected(asked, t0 + parts, running, errors, mean_megno, before, horizon, found)
+        right = certified(asked, plan, certify, part(report, 0.1, 1.0))
+    running = growth / elapsed[:, np.newaxis]
+    errors = standard_errors(growth, length)
+    how = {"t_max": length, "exponents": plan.count, "transient": before, "certify": certify}
+    recipe = asked.recipe(tangent, **how)
+    return _collected(asked, t, running, errors, mean_megno, right, found, recipe)
 
 
 def _collected(
@@ -206,9 +232,9 @@ def _collected(
     running: Array,
     errors: Array,
     mean_megno: Array,
-    before: float,
-    horizon: Array | None,
+    right: Certified | None,
     found: VariedRuns,
+    recipe: Mapping[str, Any],
 ) -> Lyapunov:
     """The result, for one motion or several as they were asked for."""
     shaped = asked.shaped
@@ -221,11 +247,13 @@ def _collected(
         shaped(running),
         shaped(verdict_of(mean_megno)),
         shaped(mean_megno),
-        before,
-        None if horizon is None else shaped(horizon),
-        None if horizon is None else shaped(_until(t, running, horizon)),
+        recipe["transient"],
+        None if right is None else shaped(right.horizon),
+        None if right is None else shaped(right.exponents),
+        None if right is None else shaped(right.errors),
         shaped(found.n_steps),
         shaped(found.outcomes),
+        recipe,
     )
 
 
@@ -234,59 +262,3 @@ def _checked_transient(transient: object) -> float:
     if before < 0.0:
         raise ArgumentError("transient", "must be 0 or more [s], got {value}", value=before)
     return before
-
-
-def _errors(growth: Array, length: float) -> Array:
-    """Standard errors (n, k) of growths (n, m, k) at even times over a length [1/s]."""
-    import numpy as np
-
-    rates = np.diff(growth, axis=1, prepend=0.0) / (length / growth.shape[1])
-    return np.array([[standard_error_of_mean(each) for each in row.T] for row in rates])
-
-
-def _growth(
-    asked: Asked, count: int, tangent: ArrayLike | None, threads: object, progress: Progress
-) -> tuple[Array, Array, VariedRuns]:
-    """Ln of the growths at the outputs, (n, m, count), and the mean MEGNO of each run."""
-    import numpy as np
-
-    d = len(asked.system.components)
-    given = first_variations(asked.system, tangent, count, "tangent")
-    if count == 1:
-        runs = asked.runs(given, "megno", threads, progress)
-        assert runs.integrals is not None
-        mean = runs.integrals[:, -1, 1] / (asked.t[-1] - asked.t0)
-        return runs.growth, mean, runs
-    whole = np.linalg.qr(np.concatenate([given, np.eye(d)]).T)[0].T  # the first ones span the same
-    runs = asked.runs(whole, "orthogonal", threads, progress)
-    return runs.growth[..., :count], np.full(len(asked.starts), np.nan), runs
-
-
-def _horizons(asked: Asked, certify: float | None, progress: Progress) -> Array:
-    """The trust horizon of each run [s]."""
-    import numpy as np
-
-    end, n = float(asked.t[-1]), len(asked.starts)
-    return np.array(
-        [
-            solve(
-                asked.system,
-                start,
-                [end],
-                t0=asked.t0,
-                certify=certify,
-                progress=part(progress, i / n, (i + 1) / n),
-                **asked.options,
-            ).trust_horizon
-            for i, start in enumerate(asked.starts)
-        ]
-    )
-
-
-def _until(t: Array, running: Array, horizon: Array) -> Array:
-    """The running estimates at the last time before the horizon, (n, k); NaN: it is before all."""
-    import numpy as np
-
-    last = np.searchsorted(t, horizon, side="right") - 1
-    found = running[np.arange(len(running)), last]
-    return np.where((last < 0)[:, np.newaxis], np.nan, found)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 from pendula._checks import checked_progress
@@ -14,6 +14,7 @@ from pendula.chaos.verdict import verdict_of
 from pendula.run.options import takes_options
 
 if TYPE_CHECKING:
+    from collections.abc import Mapping
     from typing import Unpack
 
     import xarray as xr
@@ -41,6 +42,7 @@ class Megno:
         states: (m, d) [rad, rad/s].
         n_steps: taken.
         outcome: how the run ended.
+        recipe: the arguments that it was made with, beside system, start and times.
     """
 
     system: System
@@ -53,6 +55,7 @@ class Megno:
     states: Array
     n_steps: Any
     outcome: Any
+    recipe: Mapping[str, Any] = field(default_factory=dict)
 
     @property
     def rate(self) -> Array:
@@ -74,7 +77,7 @@ class Megno:
             "n_steps": ((), self.n_steps, "1", "steps of the run"),
             "outcome": ((), self.outcome, "", "how the run ended"),
         }
-        return dataset_of("Megno", self.system, self.start, self.t, told)
+        return dataset_of("Megno", self.system, self.start, self.t, told, self.recipe)
 
     if TYPE_CHECKING:  # attached by the module that defines it
 
@@ -140,4 +143,5 @@ def megno(
         shaped(runs.states),
         shaped(runs.n_steps),
         shaped(runs.outcomes),
+        asked.recipe(tangent),
     )

@@ -11,16 +11,18 @@ from pendula._checks import (
     check_threads,
     checked_progress,
     extra,
+    one_of,
     positive_number,
     states_array,
     whole_number,
 )
 from pendula._late_methods import with_promised
 from pendula._messages import ArgumentError
-from pendula._progress import with_bar
+from pendula._progress import part, with_bar
 from pendula.chaos.drive import drive_period, is_driven
 from pendula.chaos.energy_surface import check_double
 from pendula.chaos.flow import crossings_of_many, processors, strobes_of_many
+from pendula.chaos.indicators import INDICATORS, indicator_of
 from pendula.chaos.section_plane import momentum2, section_grid
 from pendula.run.events import Event, angle
 from pendula.run.options import checked_types, takes_options
@@ -59,6 +61,7 @@ class Section:
             "step_limit" or "not_finite".
         n_steps: of each run, (n,).
         recipe: the arguments that it was made with.
+        values: of the indicator that was asked for, one of each motion, (n,); None: none was.
     """
 
     system: System
@@ -68,6 +71,7 @@ class Section:
     outcomes: NDArray[np.str_]
     n_steps: NDArray[np.int64]
     recipe: Mapping[str, Any] = field(default_factory=dict)
+    values: Array | None = None
 
     @property
     def points(self) -> Array:
@@ -102,6 +106,10 @@ class Section:
             data["p2"] = (both, self.points[..., 1], {"units": "kg m²/s"})
         data["outcome"] = ("start", self.outcomes)
         data["n_steps"] = ("start", self.n_steps)
+        if self.values is not None:
+            name = self.recipe["indicator"]
+            units, meaning = INDICATORS[name]
+            data[name] = ("start", self.values, {"units": units, "long_name": meaning})
         made: xr.Dataset = extra("xarray", "io").Dataset(data)
         return made
 
@@ -116,6 +124,8 @@ def section(
     starts: int = 24,
     crossings: int = 500,
     event: Event | None = None,
+    indicator: str | None = None,
+    t_max: float = 400.0,
     threads: int | None = None,
     progress: AskedProgress = None,
     **options: Unpack[RunOptions],
@@ -132,6 +142,9 @@ def section(
         crossings: of each motion.
         event: the surface, such as angle(2, 0.0, direction=1, every_turn=True); None: the drive's
             period, or θ1 = 0, ω1 > 0, whole turns away too.
+        indicator: of chaos, which tells the motions apart and colours the picture: "megno" (its
+            mean), "lyapunov" (the finite-time exponent) or "sali"; None: none.
+        t_max: the length of the runs for the indicator [s].
         threads: None: one for each processor; the bits do not depend on it.
         progress: called with the part of the motions that is done, 0 to 1; True: a bar.
         **options: see `RunOptions`.
@@ -148,17 +161,24 @@ def section(
     count = whole_number("crossings", crossings, _MOST_CROSSINGS)
     threaded = check_threads(threads) or processors()
     chosen = checked_types({"max_steps": _MOST_STEPS, **options}, "section", _OPTIONS)
-    recipe = {"energy": energy, "starts": len(given), "crossings": count}
+    recipe: dict[str, Any] = {"energy": energy, "starts": len(given), "crossings": count}
+    if indicator is not None:
+        recipe["indicator"] = name = one_of("indicator", indicator, INDICATORS)
+        recipe["t_max"] = length = positive_number("t_max", t_max, "s")
+    of_runs = part(report, 0.0, 1.0 if indicator is None else 0.5)
     if event is None and is_driven(system):
-        period = drive_period(system)
-        found = strobes_of_many(system, given, period, count, chosen, threaded, report)
-        recipe["period"] = period
+        recipe["period"] = period = drive_period(system)
+        found = strobes_of_many(system, given, period, count, chosen, threaded, of_runs)
     else:
-        surface = SURFACE if event is None else _surface(event)
-        for start in given:
-            check_reachable(system, start, surface, count)
-        found = crossings_of_many(system, given, surface, count, chosen, threaded, report)
-    return Section(system, given, found.times, found.states, found.outcomes, found.n_steps, recipe)
+        surface = _reachable(system, given, event, count)
+        found = crossings_of_many(system, given, surface, count, chosen, threaded, of_runs)
+    values = None
+    if indicator is not None:
+        rest = part(report, 0.5, 1.0)
+        values = indicator_of(system, given, name, length, chosen, threaded, rest)
+    return Section(
+        system, given, found.times, found.states, found.outcomes, found.n_steps, recipe, values
+    )
 
 
 def wrapped(angles: Array) -> Array:
@@ -189,9 +209,12 @@ def _checked_starts(
     return given
 
 
-def _surface(event: object) -> Event:
-    """The one event."""
-    if not isinstance(event, Event):
+def _reachable(system: System, starts: Array, event: Event | None, count: int) -> Event:
+    """The surface, which each start has to be able to cross so often."""
+    if event is not None and not isinstance(event, Event):
         rule = "must be made by pendula.events: angle, velocity_zero or tip_height; got {value}"
         raise ArgumentError("event", rule, value=event)
-    return event
+    surface = SURFACE if event is None else event
+    for start in starts:
+        check_reachable(system, start, surface, count)
+    return surface

@@ -3,19 +3,22 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 from pendula import _engine
 from pendula._checks import checked_progress
 from pendula._messages import ArgumentError
 from pendula._progress import with_bar
+from pendula.chaos.datasets import dataset_of
 from pendula.chaos.variations import OPTIONS, asked_of
 from pendula.run.options import takes_options
 
 if TYPE_CHECKING:
+    from collections.abc import Mapping
     from typing import Unpack
 
+    import xarray as xr
     from numpy.typing import ArrayLike
 
     from pendula._progress import AskedProgress
@@ -24,7 +27,7 @@ if TYPE_CHECKING:
     from pendula.systems import System
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class TangentMap:
     """∂(state at t)/∂(state at t0), scaled: the map is matrix · exp(log_scale).
 
@@ -38,6 +41,7 @@ class TangentMap:
         log_scale: natural logarithm of what was taken off, (m,), or (n, m): 0 until the map has
             grown by 2^300.
         n_steps: taken by the run, (), or (n,).
+        recipe: the arguments that it was made with, beside system, start and times.
     """
 
     system: System
@@ -48,6 +52,24 @@ class TangentMap:
     matrix: Array
     log_scale: Array
     n_steps: Any
+    recipe: Mapping[str, Any] = field(default_factory=dict)
+
+    def __repr__(self) -> str:
+        end = f"ln of its scale {float(self.log_scale.max()):.4g} at {self.t[-1]:g} s"
+        shape = "×".join(map(str, self.matrix.shape))
+        return f"<TangentMap of {self.system!r}: {shape}, {end}>"
+
+    def to_xarray(self) -> xr.Dataset:
+        """States, matrices and their scales over time (extra: io)."""
+        names = self.system.components
+        told: dict[str, Any] = {
+            "matrix": (("t", "component", "by"), self.matrix, "", "scaled tangent map"),
+            "log_scale": (("t",), self.log_scale, "1", "ln of the scale"),
+            "state": (("t", "component"), self.states, "", "state"),
+            "n_steps": ((), self.n_steps, "1", "steps of the run"),
+        }
+        made = dataset_of("TangentMap", self.system, self.start, self.t, told, self.recipe)
+        return made.assign_coords(component=list(names), by=list(names))
 
     @property
     def rate(self) -> Array:
@@ -145,4 +167,5 @@ def tangent_map(
         asked.shaped(np.swapaxes(columns, -1, -2)),
         asked.shaped(scale * math.log(2.0)),
         asked.shaped(runs.n_steps),
+        {"t0": asked.t0, **{name: asked.options.get(name) for name in OPTIONS}},
     )

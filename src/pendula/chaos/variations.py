@@ -78,6 +78,14 @@ class Asked:
     t0: float
     options: Mapping[str, Any]
 
+    def recipe(self, tangents: ArrayLike | None, **arguments: Any) -> dict[str, Any]:
+        """What a result was made with, beside system and start, as data that JSON can hold."""
+        import numpy as np
+
+        given = None if tangents is None else np.asarray(tangents, float).tolist()
+        options = {name: each for name, each in self.options.items() if name in OPTIONS}
+        return {**arguments, "t0": self.t0, "tangents": given, **options}
+
     def shaped(self, values: Any) -> Any:
         """Values (n, ...) as they were asked for: without the first axis for one state."""
         return values[0] if self.single else values

@@ -8,16 +8,19 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from pendula._types import Array
 
+VERDICTS = "chaotic", "regular", "undecided"
 # Of the mean MEGNO, which tends to 2 on a torus and grows as λt/2 in chaos. Double rods with 4 to
 # 20 J, 800 starts, after 400 s: regular ones up to 4.7; chaotic ones, told by their exponent over
 # 8000 s, from 5.7 on, but for those that have kept to the edge of an island all the while. Of 150
 # starts at 4, 15 and 20 J each none is told wrongly; of 150 at 10 J 4 of the 127 chaotic ones are
 # still regular by any measure: they leave their island later.
 REGULAR_BELOW, CHAOTIC_ABOVE = 2.5, 5.5
-# Of the mean's error: fewer blocks are longer, and see slower parts of the motion. Sixteen give
-# 0.8 to 1.0 of the spread of 60 starts at 12 to 30 J in runs of 2000 and 10 000 s; as many blocks
-# as the correlation time allows give 0.6 to 1.0.
+# Of the mean's error, which is the largest that these many blocks give: fewer are longer, and see
+# slower parts of the motion, such as the edges of islands, to which it sticks. It is 0.9 to 1.2 of
+# the spread of 60 starts at 12 to 60 J in runs of 2000 s, 0.6 to 1.2 in runs of 400 s; sixteen
+# alone give 0.7 to 1.05 and 0.5 to 1.0.
 LEAST_BLOCKS, MOST_BLOCKS = 8, 16
+FEWEST_BLOCKS = 4
 
 
 def verdict_of(mean_megno: Any) -> Any:
@@ -33,13 +36,19 @@ def verdict_of(mean_megno: Any) -> Any:
 def standard_error_of_mean(parts: Array) -> float:
     """Of the mean of a series (m,) of equal parts, from blocks of two correlation times at least.
 
-    Sixteen blocks; down to eight where they would be shorter than that; NaN where fewer remain.
+    The largest of those that sixteen, eight and four blocks give; NaN where fewer than eight of two
+    correlation times fit in.
     """
     count = parts.size
-    block = max(1, count // MOST_BLOCKS, math.ceil(2.0 * _correlation_time(parts)))
-    blocks = count // block
-    if blocks < LEAST_BLOCKS:
+    most = min(MOST_BLOCKS, count // math.ceil(2.0 * _correlation_time(parts)))
+    if most < LEAST_BLOCKS:
         return math.nan
+    return max(_error_by_blocks(parts, each) for each in (most, LEAST_BLOCKS, FEWEST_BLOCKS))
+
+
+def _error_by_blocks(parts: Array, blocks: int) -> float:
+    """Of the mean, from the scatter of the means of so many blocks."""
+    block = parts.size // blocks
     means = parts[: blocks * block].reshape(blocks, block).mean(axis=1)
     return float(means.std(ddof=1) / math.sqrt(blocks))
 

@@ -10,6 +10,7 @@ import click
 from pendula.cli.chaos_bifurcation import bifurcation_command
 from pendula.cli.chaos_files import check_targets, deliver, output_options
 from pendula.cli.chaos_orbits import orbit_command
+from pendula.cli.chaos_sections import section_command
 from pendula.cli.groups import ChoiceGroup, one_each
 from pendula.cli.options import (
     run_options,
@@ -22,15 +23,14 @@ from pendula.cli.options import (
 )
 from pendula.cli.progress import late_bar
 from pendula.cli.run import seconds, start_time
-from pendula.cli.tables import digits_of, table
+from pendula.cli.tables import table
 from pendula.systems import systems_that
 
 if TYPE_CHECKING:
     from pendula._engine import SystemEntry
-    from pendula.chaos import Lyapunov, Megno, Section
+    from pendula.chaos import Lyapunov, Megno
 
-_ROWS = 11  # of a table: ten intervals
-_MEGNO_TIME = 400.0  # s, to tell the motions of a section
+_ROWS = 10  # of a table
 
 
 # ---- exponents ----
@@ -105,10 +105,18 @@ def _told_of_exponents(found: Lyapunov) -> str:
             pairs = ", ".join(f"{each:.2g}" for each in found.pairing_error)
             lines[-1] += f", errors of the pairs {pairs} 1/s"
     if found.trust_horizon is not None:
-        until = "to the end" if math.isinf(found.trust_horizon) else f"to {found.trust_horizon:g} s"
-        finite = ", ".join(f"{each:.6g}" for each in found.finite_time)  # type: ignore[union-attr]
-        lines.append(f"certified {until}, where the finite-time exponent is {finite} 1/s")
+        lines.append(_certified(found))
     return "\n".join([*lines, f"{int(found.n_steps)} steps, {found.outcome}"])
+
+
+def _certified(found: Lyapunov) -> str:
+    """The finite-time exponents with the decimals that are right."""
+    until = "to the end" if math.isinf(found.trust_horizon) else f"to {found.trust_horizon:g} s"
+    if math.isnan(found.finite_time[0]):
+        return f"states are certified {until} only, which is in the transient"
+    each = zip(found.finite_time, found.digits, found.finite_time_error, strict=True)
+    told = ", ".join(f"{value:.{n}f} (±{error:.1g})" for value, n, error in each)
+    return f"states are certified {until}, exponents up to there are {told} 1/s"
 
 
 # ---- MEGNO ----
@@ -151,7 +159,7 @@ def _megno(entry: SystemEntry, **given: Any) -> None:
 
 def _megno_table(found: Megno) -> str:
     count = found.t.size
-    chosen = sorted({round(i * (count - 1) / (_ROWS - 1)) for i in range(_ROWS)})
+    chosen = sorted({math.ceil(i * count / _ROWS) - 1 for i in range(1, _ROWS + 1)})
     rows = [
         [f"{found.t[i]:.6g}"]
         + [f"{float(each[i]):.6g}" for each in (found.megno, found.mean, found.rate, found.growth)]
@@ -160,112 +168,9 @@ def _megno_table(found: Megno) -> str:
     return table(["t [s]", "MEGNO", "mean", "rate [1/s]", "ln growth"], rows)
 
 
-# ---- sections ----
-
-
-def _section_options(entry: SystemEntry) -> list[click.Parameter]:
-    of_energy = [
-        value("energy", "energy of many starts, e.g. 10J, in place of one"),
-        click.Option(
-            ["--starts"],
-            type=int,
-            metavar="N",
-            default=24,
-            show_default=True,
-            help="how many, with --energy",
-        ),
-    ]
-    return [
-        *system_options(entry),
-        *start_options(entry),
-        *(of_energy if entry.name == "double" else []),
-        click.Option(
-            ["--crossings"],
-            type=int,
-            metavar="N",
-            default=500,
-            show_default=True,
-            help="of each motion; of a driven pendulum one in each period",
-        ),
-        *run_options("tolerance", "max_steps"),
-        *output_options("every crossing", "the section, in the colors of MEGNO"),
-    ]
-
-
-def _section(entry: SystemEntry, **given: Any) -> None:
-    from pendula.chaos import section
-    from pendula.units import quantity
-
-    system: Any = system_of(entry, given)
-    how: dict[str, Any] = {"states": start_of(entry, given)}
-    if given.get("energy") is not None:
-        _refuse_start(entry, given)
-        how = {"energy": quantity(given["energy"], "J", "energy"), "starts": given["starts"]}
-    targets = check_targets(given)
-    with late_bar("section") as progress:
-        found = section(
-            system,
-            crossings=given["crossings"],
-            progress=progress,
-            **how,
-            **run_options_of(given),
-        )
-    printed, told, drawing = _told_of_section(found)
-    deliver(given, targets, found, _crossings(found), printed, told, **drawing)
-
-
-def _refuse_start(entry: SystemEntry, given: dict[str, Any]) -> None:
-    """Of a start and an energy one is enough."""
-    named = [row.name for row in entry.components if given[row.name] is not None]
-    if named:
-        raise click.UsageError(f"--energy and --{named[0]} exclude one another; name one of them")
-
-
-def _crossings(found: Section) -> dict[str, Any]:
-    """A row for each crossing."""
-    n, m = found.times.shape
-    columns: dict[str, Any] = {
-        "start": [i for i in range(1, n + 1) for _ in range(m)],
-        "t [s]": found.times.ravel().tolist(),
-    }
-    for i, (name, unit) in enumerate(found.system.component_units.items()):
-        columns[f"{name} [{unit}]"] = found.states[..., i].ravel().tolist()
-    if found.states.shape[-1] == 4:
-        columns["p2 [J s]"] = found.points[..., 1].ravel().tolist()
-    return columns
-
-
-def _told_of_section(found: Section) -> tuple[str, str, dict[str, Any]]:
-    """The first points, how many motions are chaotic, and what colours the picture."""
-    from pendula.chaos import megno
-
-    n, m = found.times.shape
-    names = ("theta2 [rad]", "p2 [J s]") if found.states.shape[-1] == 4 else ("theta", "omega")
-    digits = digits_of(2)
-    rows = [
-        [str(i + 1), *(f"{each:.{digits}g}" for each in points[0])]
-        for i, points in enumerate(found.points[:_ROWS])
-    ]
-    printed = table(["start", *(f"first {each}" for each in names)], rows)
-    told, drawing = f"{n} motions, {m} crossings each", {}
-    if found.system.can.conservative:
-        mean = megno(found.system, found.starts, [_MEGNO_TIME])
-        counts = [f"{(mean.verdict == each).sum()} {each}" for each in ("chaotic", "regular")]
-        counts.append(f"{(mean.verdict == 'undecided').sum()} undecided")
-        told += f"; {', '.join(counts)} by MEGNO at {_MEGNO_TIME:g} s"
-        drawing = {"indicator": mean.mean[:, -1]}
-    return printed, f"{told}; {int(found.n_steps.sum())} steps", drawing
-
-
 def _command() -> ChoiceGroup:
     group = ChoiceGroup(
         "chaos", kind="measure", help="Measure how chaotic a motion is, and draw what it does."
-    )
-    # a section needs a second angle or a drive
-    sections = [each for each in systems_that() if each.name in ("double", "driven")]
-    without = (
-        "the {system} pendulum has no section that is drawn; "
-        "use pendula chaos section double, or driven"
     )
     for made in (
         one_each(
@@ -282,14 +187,7 @@ def _command() -> ChoiceGroup:
             _megno_options,
             _megno,
         ),
-        one_each(
-            "section",
-            "The Poincaré section of one motion, or of many of an energy.",
-            sections,
-            _section_options,
-            _section,
-            without=without,
-        ),
+        section_command(),
         orbit_command(),
         bifurcation_command(),
     ):

@@ -160,17 +160,21 @@ def changes_table(changes: tuple[Change, ...], along: str) -> str:
             f"{each.orbit.period:.12g}",
             each.below,
             each.above,
+            "fold" if each.fold else "",
         ]
         for each in changes
     ]
     name = "energy [J]" if along == "energy" else along
     if not rows:
         return f"no change of stability along {name}"
-    return table([name, "multiplier", "period [s]", "below", "above"], rows)
+    headings = [name, "multiplier", "period [s]", "below", "above", ""]
+    if not any(each.fold for each in changes):
+        headings, rows = headings[:-1], [row[:-1] for row in rows]
+    return table(headings, rows)
 
 
 def _told_of_family(found: Family) -> str:
-    values = f"{found.values[0]:.6g} to {found.values[-1]:.6g}"
+    values = f"{found.values.min():.6g} to {found.values.max():.6g}"
     stable = sum(each.stable for each in found.orbits)
     return (
         f"{len(found.orbits)} orbits, {found.along} {values}, {stable} stable, {found.outcome}; "

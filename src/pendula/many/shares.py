@@ -4,36 +4,43 @@ from __future__ import annotations
 
 import json
 import math
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from pendula._attributes import KEY
 from pendula._checks import (
-    checked_progress,
     extra,
     finite_array,
     positive_number,
     whole_number,
 )
 from pendula._messages import ArgumentError
-from pendula._progress import part, with_bar
+from pendula._progress import with_bar
 from pendula._version import __version__
 from pendula.chaos.energy_surface import check_double, checked_seed, energy_surface
 from pendula.chaos.megno import megno
-from pendula.run.options import takes_options
+from pendula.chaos.verdict import verdict_of
+from pendula.many.chunks import Axis, Variable, Work, run
+from pendula.run.options import checked_types, takes_options
 
 if TYPE_CHECKING:
+    from collections.abc import Mapping
+    from pathlib import Path
     from typing import Unpack
 
+    import numpy as np
     import xarray as xr
-    from numpy.typing import ArrayLike
+    from numpy.typing import ArrayLike, NDArray
 
-    from pendula._progress import AskedProgress
+    from pendula._progress import AskedProgress, Progress
     from pendula._types import Array
+    from pendula.many.chunks import Chunk
     from pendula.run.options import RunOptions
     from pendula.systems import DoublePendulum
 
 _MOST_STARTS = 10**6
 _OPTIONS = "tolerance", "max_steps"
+_CHUNK = 1024  # starts: a second or so of one processor
 
 
 @with_bar("chaotic share")
@@ -45,8 +52,12 @@ def chaotic_share(
     n: int = 400,
     t_max: float = 400.0,
     seed: int = 0,
+    store: str | Path | None = None,
+    client: Any = None,
     threads: int | None = None,
     progress: AskedProgress = None,
+    resume: bool = True,
+    overwrite: bool = False,
     **options: Unpack[RunOptions],
 ) -> xr.Dataset:
     """The share of each energy surface that is chaotic, by the invariant measure (extra: io).
@@ -60,8 +71,12 @@ def chaotic_share(
         n: starts on each surface.
         t_max: length of the runs [s].
         seed: of the draws, not negative.
-        threads: None: one for each processor; the bits do not depend on it.
-        progress: called with the part that is done, 0 to 1; True: a bar.
+        store: as for `flip_map`; it holds the mean MEGNO and the growth of every start.
+        client: as for `flip_map`.
+        threads: as for `flip_map`.
+        progress: as for `flip_map`.
+        resume: as for `flip_map`.
+        overwrite: as for `flip_map`.
         **options: see `RunOptions`.
 
     Returns:
@@ -70,7 +85,7 @@ def chaotic_share(
         the chaotic ones at t_max [1/s], NaN where there is none.
 
     Raises:
-        ValueError: for another system, or an argument out of range.
+        ValueError: for another system, an argument out of range, or a store of something else.
     """
     import numpy as np
 
@@ -78,15 +93,76 @@ def chaotic_share(
     levels = _checked_energies(energies)
     count = whole_number("n", n, _MOST_STARTS)
     length, first = positive_number("t_max", t_max, "s"), checked_seed(seed)
-    report = checked_progress(progress)
-    rows = []
-    for i, energy in enumerate(levels.tolist()):
-        starts = energy_surface(system, energy, count, seed_of(first, i))
-        done = part(report, i / levels.size, (i + 1) / levels.size)
-        found = megno(system, starts, [length], threads=threads, progress=done, **options)
-        rows.append(_told(found.verdict, found.growth[:, 0] / length))
-    recipe = {"n": count, "t_max": length, "seed": first, **options}
-    return _dataset(system, levels, np.array(rows), recipe)
+    chosen = checked_types(options, "chaotic_share", _OPTIONS)
+    limits = {name: chosen[name] for name in _OPTIONS if name in chosen}
+    told = {"n": count, "t_max": length, "seed": first, **limits}
+    asked = _Starts(system, tuple(levels.tolist()), count, length, first, limits)
+    how: dict[str, Any] = {"client": client, "progress": progress, "threads": threads}
+    found = run(asked.work(told), store, **how, resume=resume, overwrite=overwrite)
+    means, growths = found["megno"].values, found["growth"].values
+    rows = [
+        _told(verdict_of(mean), growth / length)
+        for mean, growth in zip(means, growths, strict=True)
+    ]
+    return _dataset(system, levels, np.array(rows), told)
+
+
+@dataclass(frozen=True)
+class _Starts:
+    """What computes the MEGNO of starts on the surfaces of several energies.
+
+    Attributes:
+        system: the double pendulum.
+        energies: of the surfaces [J].
+        n: starts on each.
+        t_max: length of the runs [s].
+        seed: of the draws.
+        limits: tolerance and most steps of the runs.
+    """
+
+    system: DoublePendulum
+    energies: tuple[float, ...]
+    n: int
+    t_max: float
+    seed: int
+    limits: Mapping[str, Any]
+
+    def work(self, told: Mapping[str, Any]) -> Work:
+        """All of them, one energy and some starts in a chunk."""
+        import numpy as np
+
+        meanings = {"megno": "mean MEGNO at t_max", "growth": "ln of the growth of a variation"}
+        of_energy = {"units": "J", "long_name": "energy"}
+        described = {KEY: __version__, "chaos": "share", "system": self.system.description()}
+        return Work(
+            inputs={**described, "energies": list(self.energies), **told},
+            axes=(
+                Axis("energy", len(self.energies), 1, np.array(self.energies), of_energy),
+                Axis("start", self.n, _CHUNK),
+            ),
+            variables=tuple(
+                Variable(name, ("energy", "start"), "float64", math.nan, {"long_name": meaning})
+                for name, meaning in meanings.items()
+            ),
+            compute=self,
+            attrs={"title": "Starts on energy surfaces", "t_max": self.t_max},
+        )
+
+    def __call__(
+        self, chunk: Chunk, threads: int | None, progress: Progress
+    ) -> dict[str, NDArray[np.generic]]:
+        """Mean MEGNO and growth of the starts of a chunk, (1, starts)."""
+        i, (low, high) = chunk.spans["energy"][0], chunk.spans["start"]
+        drawn = energy_surface(self.system, self.energies[i], high, seed_of(self.seed, i))
+        runs = megno(
+            self.system,
+            drawn[low:],
+            [self.t_max],
+            threads=threads,
+            progress=progress,
+            **self.limits,
+        )
+        return {"megno": runs.mean.T, "growth": runs.growth.T}
 
 
 def seed_of(seed: int, i: int) -> int:

@@ -23,6 +23,7 @@ from pendula.plot.overview import trajectory
 from pendula.plot.pendulum import elliptic_cost, linear_error, periods, phase_portrait
 from pendula.plot.running import running
 from pendula.plot.sections import section
+from pendula.plot.shares import chaotic_share
 from pendula.plot.style import picture, svg
 from pendula.plot.work_precision import work_precision
 
@@ -30,6 +31,7 @@ __all__ = [
     "angles",
     "animate",
     "bifurcation",
+    "chaotic_share",
     "convergence",
     "damping",
     "divergence_map",

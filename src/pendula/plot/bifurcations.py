@@ -9,9 +9,10 @@ import numpy as np
 from pendula._late_methods import method_of
 from pendula._messages import ArgumentError
 from pendula.chaos.bifurcation import Bifurcation
-from pendula.plot.case import case_of, symbol_of
+from pendula.plot.case import axis_of, case_of
 from pendula.plot.labels import labels
-from pendula.plot.style import FAINT, INK, degree_ticks, panels, styled
+from pendula.plot.running import VERDICTS
+from pendula.plot.style import FAINT, INK, degree_ticks, legend_above, panels, styled
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -19,7 +20,7 @@ if TYPE_CHECKING:
 
     from pendula.plot.labels import Labels
 
-_CHAOTIC, _REGULAR, _MARK = "#c2185b", "#0072b2", "#009e73"
+_MARK = "#009e73"
 _MANY = 40_000  # points: beyond, they get smaller, down to a pixel
 _SURE = 3.0  # standard errors above 0: the colour of chaos
 _SIZES = 0.2, 1.6  # points² of a mark
@@ -37,7 +38,8 @@ def bifurcation(
 ) -> Figure:
     """Where motions go in the end over a parameter, and below the largest exponent with its error.
 
-    Dotted lines are the changes of stability that were located by multipliers.
+    Dotted lines are the changes of stability that were located by multipliers; the exponent's
+    colour says where it is above 0 by three standard errors.
 
     Args:
         found: what `pendula.chaos.bifurcation` returned.
@@ -57,11 +59,14 @@ def bifurcation(
     above, below = axes[:, 0]
     _points(above, found, _angles(found, quantity), words)
     _exponents(below, found, words)
-    for change in found.changes:
+    for i, change in enumerate(found.changes):
+        label = "" if i else words.curve["stability_change"]
         for ax in (above, below):
-            ax.axvline(change.value, color=_MARK, linewidth=0.8, linestyle=":", zorder=0)
+            how: dict[str, Any] = {"color": _MARK, "linewidth": 0.8, "linestyle": ":", "zorder": 0}
+            ax.axvline(change.value, label=label, **how)
+    legend_above(figure, below, columns=3)
     energy = found.parameter == "energy"
-    below.set_xlabel(words.axis["energy"] if energy else symbol_of(found.parameter))
+    below.set_xlabel(words.axis["energy"] if energy else axis_of(found.system, found.parameter))
     above.set_title(_case(found, words) if title is None else title)
     return figure
 
@@ -99,8 +104,12 @@ def _exponents(ax: Axes, found: Bifurcation, words: Labels) -> None:
     ax.axhline(0.0, color=FAINT, linewidth=0.8, zorder=0)
     ax.fill_between(x, y - error, y + error, color=FAINT, alpha=0.6, linewidth=0, zorder=1)
     chaotic = y > _SURE * np.nan_to_num(error)
-    for colour, chosen in ((_CHAOTIC, chaotic), (_REGULAR, ~chaotic)):
-        ax.plot(x[chosen], y[chosen], ".", color=colour, markersize=2.6)
+    for name, verdict, chosen in (
+        ("exponent_above", "chaotic", chaotic),
+        ("exponent_not_above", "regular", ~chaotic),
+    ):
+        label = words.curve[name] if chosen.any() else ""
+        ax.plot(x[chosen], y[chosen], ".", color=VERDICTS[verdict], markersize=2.6, label=label)
     scaled = found.system.form == "scaled"
     ax.set_ylabel(words.axis["exponent_scaled" if scaled else "exponent"])
 

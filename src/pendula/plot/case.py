@@ -94,6 +94,13 @@ def symbol_of(parameter: str) -> str:
     return _SYMBOLS.get(parameter, parameter.translate(_SUBSCRIPTS))
 
 
+def axis_of(system: System, parameter: str) -> str:
+    """How a parameter is written at an axis, with its unit."""
+    unit = next((row.unit for row in system._rows() if row.name == parameter), "")
+    written = _UNITS.get(unit, unit)
+    return f"{symbol_of(parameter)} [{written}]" if written else symbol_of(parameter)
+
+
 def stored_case(
     attributes: Mapping[Any, Any], words: Labels, values: Mapping[str, tuple[float, str]]
 ) -> str | None:

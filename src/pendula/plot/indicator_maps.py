@@ -37,9 +37,9 @@ if TYPE_CHECKING:
     from pendula.plot.maps import Limits, MapLook
 
 # Of each indicator: whether its colours are logarithmic, and whether small values are light.
-_LOOKS = {"megno": (True, False), "lyapunov": (False, False), "sali": (True, True)}
-INDICATORS = tuple(_LOOKS)
-_LEAST = {"megno": 1.0, "sali": 1e-16}  # below, a colour tells nothing more
+INDICATOR_LOOKS = {"megno": (True, False), "lyapunov": (False, False), "sali": (True, True)}
+INDICATORS = tuple(INDICATOR_LOOKS)
+LEAST = {"megno": 1.0, "sali": 1e-16}  # below, a colour tells nothing more
 _FEW = 0.01  # of the values lie beyond either end of the colour scale
 
 
@@ -91,7 +91,7 @@ def indicator_map(
     values, forbidden = cells[name], cells.get("forbidden", np.zeros(cells[name].shape, bool))
     known = np.isfinite(values) & ~forbidden
     norm = _scale(name, values[known], limits)
-    if _LOOKS[name][1]:
+    if INDICATOR_LOOKS[name][1]:
         colours = colours.reversed()
 
     def paint(rows: slice) -> Array:
@@ -136,7 +136,7 @@ def _scale(name: str, known: Array, limits: Limits) -> Normalize | None:
     """The scale of the colours; None where nothing is known."""
     from matplotlib.colors import LogNorm, Normalize
 
-    logarithmic = _LOOKS[name][0]
+    logarithmic = INDICATOR_LOOKS[name][0]
     if not known.size:
         return None
     if limits is not None:
@@ -147,7 +147,7 @@ def _scale(name: str, known: Array, limits: Limits) -> Normalize | None:
             raise ArgumentError("limits", rule, text=more, low=low, high=high)
     else:
         low, high = (float(each) for each in np.quantile(known, [_FEW, 1.0 - _FEW]))
-        low = max(low, _LEAST.get(name, low))
+        low = max(low, LEAST.get(name, low))
         high = max(high, 2.0 * low) if logarithmic else high if high > low else low + 1.0
     return LogNorm(low, high) if logarithmic else Normalize(low, high)
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -12,7 +11,7 @@ from pendula._late_methods import method_of
 from pendula._messages import ArgumentError
 from pendula.chaos.families import Family
 from pendula.chaos.orbit import PeriodicOrbit
-from pendula.plot.case import case_of, start_of, symbol_of
+from pendula.plot.case import axis_of, case_of, start_of
 from pendula.plot.labels import labels
 from pendula.plot.style import FAINT, INK, degree_ticks, panels, styled
 
@@ -20,7 +19,6 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-    from pendula._types import Array
     from pendula.plot.labels import Labels
 
 _SECOND, _UNSTABLE = "#0072b2", "#d55e00"
@@ -106,7 +104,7 @@ def family(found: Family, *, title: str | None = None, language: str = "en") -> 
     """Period and stability of a family of periodic orbits against energy or the parameter.
 
     Below, μ + 1/μ: between −2 and 2, where it is shaded, orbits are stable; unstable ones are
-    dashed in both panels. The dots are the changes of stability.
+    dashed in both panels. The dots are the changes of stability, folds among them.
 
     Args:
         found: what `pendula.chaos.family` returned.
@@ -122,16 +120,16 @@ def family(found: Family, *, title: str | None = None, language: str = "en") -> 
         raise ArgumentError("found", rule, value=found)
     figure, axes = panels(2, 1, 4.6, words, sharex=True)
     above, below = axes[:, 0]
-    values, orbits, changes = _with_changes(found)
-    periods = np.array([each.period for each in orbits])
-    sums = np.array([each.multiplier_sum for each in orbits])
-    stable = np.array([each.stable for each in orbits])
-    for ax, curve in ((above, periods), (below, sums)):
-        _by_stability(ax, values, curve, stable, changes, words)
-        places = [np.interp(each.value, values, curve) for each in found.changes]
-        marked = [each.value for each in found.changes]
-        label = words.curve["stability_change"]
-        ax.plot(marked, places, "o", color=INK, markersize=4.5, zorder=4, label=label)
+    pieces = _pieces(found)
+    label = words.curve["stability_change"]
+    for ax, of in ((above, "period"), (below, "multiplier_sum")):
+        for calm, piece in pieces:
+            _drawn_piece(ax, calm, piece, of, words)
+        marked = [(each.value, getattr(each.orbit, of)) for each in found.changes]
+        ax.plot(
+            *np.reshape(marked, (-1, 2)).T, "o", color=INK, markersize=4.5, zorder=4, label=label
+        )
+    sums = np.array([each.multiplier_sum for each in found.orbits])
     below.axhspan(*_BORDERS, color=_SHADE, linewidth=0, zorder=0)
     if abs(sums).max() > _LARGEST:
         below.set_yscale("symlog", linthresh=4.0)
@@ -143,32 +141,37 @@ def family(found: Family, *, title: str | None = None, language: str = "en") -> 
     return figure
 
 
-def _with_changes(found: Family) -> tuple[Array, list[PeriodicOrbit], Array]:
-    """Values and orbits, those at the changes among them; the values of the changes."""
+def _pieces(found: Family) -> list[tuple[bool, list[tuple[float, PeriodicOrbit]]]]:
+    """Values and orbits from change to change, ends included, and whether they are stable."""
     every = [*zip(found.values.tolist(), found.orbits, strict=True)]
-    every += [(each.value, each.orbit) for each in found.changes]
-    every.sort(key=lambda each: each[0])
-    values = np.array([value for value, _ in every])
-    return values, [orbit for _, orbit in every], np.array([each.value for each in found.changes])
+    pieces: list[tuple[bool, list[tuple[float, PeriodicOrbit]]]] = []
+    before: list[tuple[float, PeriodicOrbit]] = []
+    first = 0
+    for change in (*found.changes, None):
+        last = len(every) if change is None else change.place
+        inside = every[first:last]
+        after = [] if change is None else [(change.value, change.orbit)]
+        if inside:
+            calm = np.median([each.stable for _, each in inside]) > 0.5
+        else:
+            calm = bool(pieces) and not pieces[-1][0]
+        pieces.append((bool(calm), [*before, *inside, *after]))
+        first, before = last, after
+    return pieces
 
 
-def _by_stability(
-    ax: Axes, values: Array, curve: Array, stable: Any, changes: Array, words: Labels
+def _drawn_piece(
+    ax: Axes, calm: bool, piece: list[tuple[float, PeriodicOrbit]], of: str, words: Labels
 ) -> None:
-    """Pieces between changes of stability: whole lines where stable, dashed where not."""
-    ends = [values[0], *changes, values[-1]]
-    for low, high in pairwise(ends):
-        inside = (values >= low) & (values <= high)
-        middle = (values > low) & (values < high)
-        calm = bool(np.median(stable[middle if middle.any() else inside]) > 0.5)
-        ax.plot(
-            values[inside],
-            curve[inside],
-            color=_SECOND if calm else _UNSTABLE,
-            linestyle="-" if calm else (0, (4, 1.5)),
-            linewidth=1.5,
-            label=words.curve["stable" if calm else "unstable"],
-        )
+    """A whole line where stable, dashed where not."""
+    ax.plot(
+        [value for value, _ in piece],
+        [getattr(orbit, of) for _, orbit in piece],
+        color=_SECOND if calm else _UNSTABLE,
+        linestyle="-" if calm else (0, (4, 1.5)),
+        linewidth=1.5,
+        label=words.curve["stable" if calm else "unstable"],
+    )
 
 
 def _named(above: Axes, below: Axes, found: Family, words: Labels) -> None:
@@ -177,7 +180,9 @@ def _named(above: Axes, below: Axes, found: Family, words: Labels) -> None:
     driven = not found.orbits[0].conservative
     below.set_ylabel(words.axis["multiplier_total" if driven else "multiplier_sum"])
     energy = found.along == "energy"
-    below.set_xlabel(words.axis["energy"] if energy else symbol_of(found.along))
+    below.set_xlabel(
+        words.axis["energy"] if energy else axis_of(found.orbits[0].system, found.along)
+    )
 
 
 def _case_of_family(found: Family, words: Labels) -> str:

@@ -36,6 +36,7 @@ _COLOURS = INK, "#0072b2", "#d55e00", "#009e73"
 VERDICTS = {"chaotic": "#c2185b", "regular": "#0072b2", "undecided": "#8a9199"}
 _BAND = 0.16  # opacity
 _SETTLED = 0.05  # of the run, before which an estimate may leave the frame
+_SURE = 3.0  # standard errors that an exponent differs from 0
 _TWO = 2.0  # the mean MEGNO of a torus
 _FEW = 3  # names that have room inside the axes
 _STEEP = 20.0  # a MEGNO beyond is drawn on a logarithmic axis
@@ -68,8 +69,8 @@ def running(
     """How an exponent, MEGNO, SALI or GALI settles with time.
 
     The band about the last value of an exponent is its standard error, at a time t of the run's T
-    √(T/t) times as wide: where the estimate should have run. Several motions are lines in the
-    colours of their verdicts.
+    √(T/t) times as wide: where the estimate should have run; those that come to 0 have none.
+    Several motions are lines in the colours of their verdicts.
 
     Args:
         result: of `lyapunov`, `megno`, `sali` or `gali`.
@@ -92,7 +93,7 @@ def running(
     draw(place, result, words)
     names = place.get_legend_handles_labels()[1]
     if ax is None and len(names) > _FEW:
-        legend_above(figure, place, columns=4)
+        legend_above(figure, place, columns=2)
     elif names:
         place.legend(loc="best")
     place.set_title(_case(result, words) if title is None else title)
@@ -125,7 +126,7 @@ def _exponents(ax: Axes, found: Lyapunov, words: Labels) -> None:
         colour = _COLOURS[i % len(_COLOURS)]
         label = _told(found, i, words)
         ax.plot(elapsed, found.running[:, i], color=colour, linewidth=1.2, label=label)
-        if not calm:  # falls as ln t/t, and has no band to stay in
+        if not calm and abs(value) > _SURE * error:  # else it falls as ln t/t, outside of any band
             wide = error * np.sqrt(elapsed[-1] / elapsed)
             ends = value - wide, value + wide
             ax.fill_between(elapsed, *ends, color=colour, alpha=_BAND, linewidth=0)

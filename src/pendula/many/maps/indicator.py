@@ -9,8 +9,7 @@ from typing import TYPE_CHECKING, Any
 from pendula._angles import warn_of_degrees
 from pendula._checks import checked_threads, one_of
 from pendula._progress import with_bar
-from pendula.chaos.alignment import sali_of
-from pendula.chaos.variations import Asked, first_variations
+from pendula.chaos.indicators import INDICATORS, indicator_of
 from pendula.many.chunks import Variable
 from pendula.many.maps.base import Map, checked_map, checked_tolerance
 from pendula.many.maps.cells import NAMES
@@ -26,13 +25,6 @@ if TYPE_CHECKING:
     from pendula._types import Array
     from pendula.many.chunks import Chunk
     from pendula.systems import DoublePendulum
-
-# Name, unit and meaning of what a map of each indicator holds.
-INDICATORS = {
-    "megno": ("1", "mean MEGNO at t_max"),
-    "lyapunov": ("1/s", "finite-time Lyapunov exponent, ln of the growth over t_max"),
-    "sali": ("1", "smaller alignment index at t_max"),
-}
 
 
 @with_bar("indicator map")
@@ -127,7 +119,7 @@ class IndicatorMap(Map):
         self, chunk: Chunk, threads: int | None, progress: Progress
     ) -> dict[str, NDArray[np.generic]]:
         """The indicator at the cells of a chunk."""
-        values = indicator_of(self, self.cells.starts(chunk), threads, progress)
+        values = values_of(self, self.cells.starts(chunk), threads, progress)
         return {self.indicator: self.cells.whole(chunk, values)}
 
 
@@ -137,19 +129,7 @@ def indicator_variable(indicator: str, axes: tuple[str, ...]) -> Variable:
     return Variable(indicator, axes, "float64", math.nan, {"units": units, "long_name": meaning})
 
 
-def indicator_of(of: Any, starts: Array, threads: int | None, progress: Progress) -> Array:
-    """The indicator (n,) of starts (n, 4), as far as each run comes; `of`: what a map asks for."""
-    import numpy as np
-
-    asked = Asked(of.system, starts, False, np.array([of.t_max]), 0.0, {"tolerance": of.tolerance})
-    count = checked_threads(threads)
-    if of.indicator == "sali":
-        runs = asked.runs(first_variations(of.system, None, 2, ""), "free", count, progress)
-        return sali_of(runs.directions)[:, 0]
-    runs = asked.runs(first_variations(of.system, None, 1, ""), "megno", count, progress)
-    if of.indicator == "lyapunov":
-        rate: Array = runs.growth[:, 0, 0] / of.t_max
-        return rate
-    assert runs.integrals is not None
-    mean: Array = runs.integrals[:, 0, 1] / of.t_max
-    return mean
+def values_of(of: Any, starts: Array, threads: int | None, progress: Progress) -> Array:
+    """The indicator (n,) of starts (n, 4); `of`: what a map asks for."""
+    options, count = {"tolerance": of.tolerance}, checked_threads(threads)
+    return indicator_of(of.system, starts, of.indicator, of.t_max, options, count, progress)

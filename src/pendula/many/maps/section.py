@@ -8,11 +8,12 @@ from typing import TYPE_CHECKING, Any
 
 from pendula._checks import one_of, positive_number
 from pendula._progress import with_bar
+from pendula.chaos.indicators import INDICATORS
 from pendula.chaos.section_plane import lifted, reach
 from pendula.many.chunks import Axis, Variable
 from pendula.many.maps.base import Map, checked_map, checked_tolerance
 from pendula.many.maps.cells import Cells, checked_cells
-from pendula.many.maps.indicator import INDICATORS, indicator_of, indicator_variable
+from pendula.many.maps.indicator import indicator_variable, values_of
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -174,7 +175,7 @@ class SectionMap(Map):
         allowed = np.isfinite(starts[:, 2])
         values = np.full(len(starts), math.nan)
         if allowed.any():
-            values[allowed] = indicator_of(self, starts[allowed], threads, progress)
+            values[allowed] = values_of(self, starts[allowed], threads, progress)
         found: dict[str, NDArray[np.generic]] = {self.indicator: values, "forbidden": ~allowed}
         shape = [chunk.spans[name][1] - chunk.spans[name][0] for name in NAMES]
         return {name: each.reshape(shape) for name, each in found.items()}

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING
 
 from pendula._checks import extra
 from pendula._messages import one_line
+from pendula.chaos.indicators import INDICATORS
 from pendula.many.chunks import opened
-from pendula.many.maps.indicator import INDICATORS
 
 if TYPE_CHECKING:
     import xarray as xr
