@@ -156,6 +156,15 @@ def test_a_driven_pendulum(row: dict[str, float]) -> None:
     assert abs(found.exponents[0] - row["exponent"]) < 3.0 * max(combined, 1e-3)
 
 
+def test_a_variation_that_friction_makes_shorter_does_not_vanish() -> None:
+    """Alone it falls below all numbers, e^(−1500), where nothing makes it longer again."""
+    (row,) = (each for each in STORED["driven"] if each["a"] == 0.9)
+    system = DrivenPendulum.scaled(row["q"], row["a"], 2.0 / 3.0)
+    found = lyapunov(system, (0.2, 0.0), 6000.0, transient=1000.0)
+    assert abs(found.exponents[0] - row["exponent"]) < 3e-3
+    assert np.isfinite(megno(system, (0.2, 0.0), [3000.0, 6000.0]).megno).all()
+
+
 def test_friction_makes_volumes_shrink() -> None:
     system = DampedDoublePendulum.rods(viscous=(0.1, 0.1))
     assert lyapunov(system, WILD, 20.0, exponents=4).sum < -0.1

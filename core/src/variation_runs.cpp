@@ -54,7 +54,7 @@ class varied_run final : public derivative_receiver {
   void step(const derived_step& step, double stop) override {
     integrals_ = integrals_after(step, stop);
     step.at(stop, values_.data(), changes_.data());
-    mixes_ = by_.use == variation_use::orthogonal ? to_orthogonal() : to_shorter();
+    mixes_ = by_.use == variation_use::orthogonal ? to_orthogonal() : to_fitting_length();
   }
   const double* mixing() override { return mixes_ ? matrix_.data() : nullptr; }
   bool go_on(double) override { return to_.go_on(); }
@@ -78,15 +78,16 @@ class varied_run final : public derivative_receiver {
     return integrals_.after(step.start() - asked_.t0, tau, growth);
   }
 
-  // Whether long variations are to be made shorter, by `matrix_`.
-  bool to_shorter() {
+  // Whether long variations are to be made shorter, or short ones, where friction acts, longer, by `matrix_`.
+  bool to_fitting_length() {
     matrix_ = {};
     bool any = false;
     for (std::size_t i = 0; i < most; ++i) {
-      const bool longer = i < by_.count && length_of(variation(i)) > taken_off;
-      matrix_[i * most + i] = longer ? 1.0 / taken_off : 1.0;
-      fifth_[i] += longer ? 1.0 : 0.0;
-      any = any || longer;
+      const double length = i < by_.count ? length_of(variation(i)) : 1.0;
+      const bool longer = length > taken_off, shorter = length > 0.0 && length < 1.0 / taken_off;
+      matrix_[i * most + i] = longer ? 1.0 / taken_off : shorter ? taken_off : 1.0;
+      fifth_[i] += longer ? 1.0 : shorter ? -1.0 : 0.0;
+      any = any || longer || shorter;
     }
     return any;
   }
