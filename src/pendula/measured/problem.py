@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 from typing import TYPE_CHECKING, Protocol
 
 from pendula.measured.least_squares import MOST_STEPS, least_squares
@@ -19,8 +20,10 @@ if TYPE_CHECKING:
     from pendula.measured.model import Row
     from pendula.systems import System
 
-_FINE = 1e-10, MOST_STEPS  # relative change of the sum of squares, and steps, where it ends
-_ROUGH = 1e-3, 10
+# relative change of the sum of squares, and steps, where least squares end
+FINE = 1e-10, MOST_STEPS
+CLOSE = 1e-3, 10
+ROUGH = 3e-2, 5  # a start for another: of a model that is not the truth little is gained by more
 _LOST = 1e6  # a residual where the motion is not finite
 
 
@@ -63,7 +66,7 @@ class Sampled:
     t: Array
     values: Array
 
-    @property
+    @cached_property
     def there(self) -> NDArray[np.bool_]:
         """Which values are there, (n, m)."""
         import numpy as np
@@ -99,7 +102,7 @@ class Problem:
     limits: Mapping[str, tuple[float, float]] = field(default_factory=dict)
     kept: dict[bytes, list[Array]] = field(default_factory=dict, init=False, repr=False)
 
-    @property
+    @cached_property
     def names(self) -> tuple[str, ...]:
         """Names of what is fitted, (k,); with the recording's number where it is its own."""
         several = len(self.recordings) > 1
@@ -120,11 +123,14 @@ class Problem:
 
     def places(self, i: int) -> list[int]:
         """Where the free parameters of recording i stand among the names."""
-        names = self.names
-        numbered = (f"{name}[{i + 1}]" for name in self.free)
+        return self._places[i]
+
+    @cached_property
+    def _places(self) -> list[list[int]]:
+        at = {name: j for j, name in enumerate(self.names)}
         return [
-            names.index(name if name in names else number)
-            for name, number in zip(self.free, numbered, strict=True)
+            [at[name] if name in at else at[f"{name}[{i + 1}]"] for name in self.free]
+            for i in range(len(self.recordings))
         ]
 
     def bounds(self) -> tuple[Array, Array]:
@@ -144,8 +150,11 @@ class Problem:
     def values(self, i: int, x: Array) -> dict[str, float]:
         """All parameters of recording i by name."""
         fitted = {name: float(x[j]) for name, j in zip(self.free, self.places(i), strict=True)}
-        standard = {row.name: row.standard for row in self.model.rows}
-        return {**standard, **self.constants, **fitted}
+        return {**self._held, **fitted}
+
+    @cached_property
+    def _held(self) -> dict[str, float]:
+        return {**{row.name: row.standard for row in self.model.rows}, **self.constants}
 
     def states(self, x: Array) -> list[Array]:
         """Of the motion of each recording, (n, d); NaN where it is not finite.
@@ -226,7 +235,7 @@ class Optimum:
 
 
 def minimise(
-    problem: Problem, start: Array, *, robust: bool = False, rough: bool = False
+    problem: Problem, start: Array, *, robust: bool = False, until: tuple[float, int] = FINE
 ) -> Optimum:
     """Least squares from a start, within the bounds.
 
@@ -234,14 +243,14 @@ def minimise(
         problem: what is to be fitted.
         start: (k,), moved into the bounds where it lies outside.
         robust: residuals beyond two standard deviations count less (soft_l1).
-        rough: end soon: the optimum is a start for another.
+        until: relative change of the sum of squares, and steps, at which it ends.
     """
     import numpy as np
 
     lower, upper = problem.bounds()
     x = np.clip(start, lower, upper)
     scale = _spread(problem.residuals(x)) if robust else 0.0
-    precision, most = _ROUGH if rough else _FINE
+    precision, most = until
     x, cost = least_squares(problem, x, lower, upper, precision, scale, most)
     return Optimum(problem.names, x, math.sqrt(cost / len(problem.residuals(x))))
 

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 from pendula.measured.double_model import DoubleModel
 from pendula.measured.double_start import first_values
 from pendula.measured.fitted import Horizon
-from pendula.measured.problem import Optimum, Problem, Sampled, minimise
+from pendula.measured.problem import CLOSE, Optimum, Problem, Sampled, minimise
 from pendula.measured.starts import MOST, main_frequency
 from pendula.measured.system_model import SystemModel
 
@@ -108,7 +108,7 @@ def _grown(problem: Problem, *, robust: bool) -> tuple[Array, float]:
     length, followed = _FIRST * 2.0 * math.pi / main_frequency(recording), 0.0
     while followed < span:
         length = min(length, span)
-        found = minimise(problem.within(length).thinned(MOST), x, robust=robust, rough=True)
+        found = minimise(problem.within(length).thinned(MOST), x, robust=robust, until=CLOSE)
         if found.rms > _LOST and followed > 0.0:
             break
         x, followed = found.x, length
