@@ -10,7 +10,7 @@ import pytest
 from scipy.io import loadmat
 
 import pendula
-from pendula.measured import Measurement, fit
+from pendula.measured import Measurement, fit, read
 from pendula.measured.double_model import SHAPE, shape_of
 from recordings import recording
 from simulated import correlated
@@ -108,6 +108,34 @@ def test_windows_have_starts_of_their_own_and_share_the_pendulum() -> None:
     assert found.rms < fit(window(1), "viscous").rms
     begins = [each.t[0] for each in found.recordings]
     np.testing.assert_allclose(np.diff(begins), 2.666 / 4, atol=2e-3)
+
+
+@pytest.mark.parametrize("start", [(3.0, 0.5, 0.0, 0.0), (2.0, -2.9, 6.0, 0.0)])
+def test_a_long_chaotic_motion_that_turns_over_is_fitted_without_windows_being_named(
+    start: tuple[float, ...],
+) -> None:
+    system = pendula.DampedDoublePendulum.bobs(1.0, 0.5, 0.3, 0.25, 9.81, viscous=(2e-3, 1e-3))
+    t = np.arange(1000) / 100.0
+    angles = pendula.solve(system, start, t).states[:, :2]
+    assert np.ptp(angles) > 2.0 * np.pi
+    noise = 1e-3 * np.random.default_rng(0).normal(size=angles.shape)
+    found = fit(of_angles(t, angles + noise), "viscous")
+    assert found.rms < 1.1e-3
+    assert 2 <= len(found.recordings) <= 8
+    for name, value in shape_of(system).items():
+        if name in found.names:
+            assert found[name].value == pytest.approx(value, rel=0.01), name
+
+
+def test_a_filmed_double_pendulum_is_followed_in_windows_of_half_a_second_or_more() -> None:
+    path = recording("double_pixels_no_header_no_time.csv")
+    filmed = read(path, frame_rate=501, as_angle=True, t=(0.4, 3.4))
+    assert isinstance(filmed, Measurement)
+    found = fit(filmed, "viscous")
+    assert found["B_over_A"].value == pytest.approx(0.075, abs=2e-3)
+    assert found["C_over_A"].value == pytest.approx(0.102, abs=2e-3)
+    assert found.rms < 0.013
+    assert len(found.recordings) <= 6
 
 
 def test_a_pendulum_with_the_fitted_values_moves_so() -> None:

@@ -99,7 +99,7 @@ def noise_of(series: Series) -> Noise:
     return Noise(
         rho,
         left / likelihood.freedom,
-        max(1.0 / math.sqrt(bend), least) if bend > 0.0 else 1.0,
+        min(max(1.0 / math.sqrt(bend), least), 1.0) if bend > 0.0 else 1.0,
         likelihood.freedom,
     )
 

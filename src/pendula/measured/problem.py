@@ -199,6 +199,15 @@ class Problem:
         found[~np.isfinite(found).all(axis=1)] = 0.0
         return found
 
+    def blocks(self) -> list[tuple[slice, list[int]]]:
+        """Rows of the derivatives that belong to each recording, and its columns."""
+        found, begin = [], 0
+        for i, each in enumerate(self.recordings):
+            end = begin + int(each.there.sum())
+            found.append((slice(begin, end), self.places(i)))
+            begin = end
+        return found
+
     def of(self, recordings: Sequence[Sampled]) -> Problem:
         """The same of other samples."""
         return replace(self, recordings=tuple(recordings))
@@ -215,8 +224,13 @@ class Problem:
 
     def thinned(self, most: int) -> Problem:
         """The same of about so many samples a recording at most, computed roughly."""
-        fewer = [each.taken(slice(None, None, -(-len(each.t) // most))) for each in self.recordings]
-        return replace(self, recordings=tuple(fewer), model=self.model.roughly())
+        return replace(self.sparser(most), model=self.model.roughly())
+
+    def sparser(self, most: int) -> Problem:
+        """The same of about so many samples a recording at most."""
+        return self.of(
+            [each.taken(slice(None, None, -(-len(each.t) // most))) for each in self.recordings]
+        )
 
 
 @dataclass(frozen=True, eq=False)

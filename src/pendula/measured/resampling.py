@@ -10,6 +10,8 @@ from pendula.measured.least_squares import least_squares
 from pendula.measured.problem import Optimum, Problem, Sampled, minimise
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     import numpy as np
 
     from pendula._types import Array
@@ -132,6 +134,10 @@ class _Held:
         import numpy as np
 
         return np.delete(self.problem.jacobian(self.whole(x)), self.j, axis=1)
+
+    def blocks(self) -> Sequence[tuple[slice, Sequence[int]]]:
+        """All of them as one."""
+        return [(slice(None), range(len(self.problem.names) - 1))]
 
     def least(self, x: Array) -> float:
         """Root mean square of the residuals at the optimum."""
