@@ -86,18 +86,8 @@ def things() -> dict[str, Any]:
     return kinds()
 
 
-NAMES = (
-    "recording",
-    "model",
-    "several",
-    "bob",
-    "untold",
-    "windows",
-    "double",
-    "table",
-    "periods",
-    "compared",
-)
+FITS = ("model", "several", "bob", "untold", "windows", "double", "periods", "compared")
+NAMES = ("recording", "table", *FITS)
 
 
 @every_ending

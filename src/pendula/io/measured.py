@@ -45,7 +45,8 @@ MEASURED = "measured"  # key of what a file says it holds, by the name of its cl
 def save(measured: Storable, path: str | PathLike[str], *, overwrite: bool = False) -> None:
     """Write a recording, a table of periods, a fit or a comparison of models, as .json or .nc.
 
-    The name's ending chooses. `pendula.load` gives the same back, bit for bit, and `pendula.rerun` fits, or reads, again.
+    The name's ending chooses. `pendula.load` gives the same back, bit for bit, and `pendula.rerun`
+    fits, or reads, again.
 
     Raises:
         ValueError: for another ending.

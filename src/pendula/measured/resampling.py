@@ -6,6 +6,7 @@ import math
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
+from pendula.measured.errors import correlation_of
 from pendula.measured.least_squares import least_squares
 from pendula.measured.problem import Optimum, Problem, Sampled, minimise
 
@@ -48,7 +49,10 @@ def with_other_errors(
         covariance = errors.covariance * np.outer(ratio, ratio)
     standard = np.sqrt(np.maximum(np.diagonal(covariance), 0.0))
     kinds = {**errors.kinds, kind: standard}
-    return replace(errors, covariance=covariance, standard=standard, kinds=kinds)
+    correlation = correlation_of(covariance)
+    return replace(
+        errors, covariance=covariance, standard=standard, kinds=kinds, correlation=correlation
+    )
 
 
 def _drawn(problem: Problem, best: Optimum, errors: Errors, seed: int) -> Array:
