@@ -14,19 +14,15 @@ def moments(
     centre: list[float], covariance: list[list[float]], lower: list[float]
 ) -> tuple[np.ndarray, np.ndarray]:
     """Mean (m,) and second moments (m, m) of a normal distribution above bounds."""
-    given = (np.array(each) for each in (centre, covariance, lower))
-    points, weights = _drawn(*given, np.full(len(centre), np.inf))
+    upper = np.full(len(centre), np.inf)
+    points, weights = _drawn(np.array(centre), np.array(covariance), np.array(lower), upper)
     return weights @ points, np.einsum("n,ni,nj->ij", weights, points, points)
 
 
 def test_one_value_near_its_bound_is_spread_as_a_truncated_normal() -> None:
     # mean and mean square of N(μ, 1) above 0, by its hazard λ = φ(μ)/Φ(μ): μ + λ, 1 + μ² + μ λ
-    for mu, hazard in (
-        (0.0, 0.79788456),
-        (1.0, 0.28759997),
-        (-1.0, 1.52513528),
-        (-6.0, 6.15844827),
-    ):
+    hazards = {0.0: 0.79788456, 1.0: 0.28759997, -1.0: 1.52513528, -6.0: 6.15844827}
+    for mu, hazard in hazards.items():
         mean, square = moments([mu], [[1.0]], [0.0])
         assert mean[0] == pytest.approx(mu + hazard, abs=1e-3)
         assert square[0, 0] == pytest.approx(1.0 + mu * mu + mu * hazard, abs=5e-3)
