@@ -121,10 +121,8 @@ def _away(
     made = SystemModel(DrivenPendulum.body(1.0, 1.0, 1.0, square), model.quantity)
     known = {row.name: row.standard for row in made.rows} | {**values, "gravity": square}
     known[TIME_OFFSET] = float(recording.t[first] - recording.t[0])
-    if model.quantity == "acceleration":  # felt as R ω0² cos θ
-        known["gravity_seen"] *= values["sensor_radius"]
     states = made.states(recording.t, known)
-    return np.asarray((recording.values - made.seen(states, known))[:, 0]), states
+    return np.asarray((recording.values - model.seen(states, values))[:, 0]), states
 
 
 def _running(away: Array, t: Array, period: float) -> Array:

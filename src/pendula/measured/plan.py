@@ -116,6 +116,7 @@ class Plan:
             if self.model.quantity == "acceleration":
                 known = self.sensor(recordings[0].measurement)
                 seen = ("sensor_radius",) if "sensor_radius" not in known else seen
+                seen = seen if known["gravity_seen"] else (*seen, "tilt")
                 fixed = {**known, **fixed}
             names = ("theta", "omega", "omega0_squared", *self.frictions, *seen)
         else:

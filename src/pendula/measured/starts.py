@@ -38,6 +38,8 @@ def first_window(
     names = ("theta", "omega", "omega0_squared", "viscous", model.offset)
     if model.quantity == "acceleration" and "sensor_radius" not in constants:
         names = (*names[:-1], "sensor_radius")
+    if model.quantity == "acceleration" and not constants["gravity_seen"]:
+        names = (*names, "tilt")
     free = tuple(name for name in names if name not in constants)
     problem = Problem(model, (sampled,), free, (), constants)
     frequency = main_frequency(sampled)
@@ -133,6 +135,7 @@ def _by_acceleration(
         "viscous": 0.01 * frequency,
         "sensor_radius": radius,
         "acceleration_offset": 0.0,
+        "tilt": 0.0,
     }
 
 

@@ -54,7 +54,7 @@ class SystemModel:
         if self.bodies == 2:
             seen = tuple(Row(name, "rad") for name in OFFSETS)
         else:
-            seen = READING[self.quantity]
+            seen = tuple(row for row in READING[self.quantity] if row.name != "tilt")
         return (*start, *own, *seen, Row(TIME_OFFSET, "s"))
 
     @property
