@@ -56,8 +56,8 @@ def test_an_axis_that_is_off_the_string_sees_the_swing_along_it_too() -> None:
     rate = np.gradient(theta, made.t, edge_order=2)
     noise = 0.02 * np.random.default_rng(3).normal(size=len(theta))
     axis = 0.26 * (rate**2 * np.cos(0.07) - square * np.sin(theta) * np.sin(0.07)) + noise
-    reading = {"quantity": "acceleration", "reading": {"linear": True}, "unit": "m/s²"}
-    found = fit(replace(made, values=axis[:, np.newaxis], **reading), "viscous", length=0.26)
+    sensor = replace(made, values=axis[:, np.newaxis], quantity="acceleration", unit="m/s²")
+    found = fit(replace(sensor, reading={"linear": True}), "viscous", length=0.26)
     assert found["gravity"].value == pytest.approx(9.81, rel=2e-3)
     assert abs(found["tilt"].value) == pytest.approx(0.07, abs=0.01)
     assert found.rms < 0.05

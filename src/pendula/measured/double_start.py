@@ -31,7 +31,7 @@ def first_values(recording: Sampled, constants: Mapping[str, float]) -> dict[str
     import numpy as np
 
     optimize = extra("scipy.optimize", "fit")
-    theta, omega, alpha = _smoothed(recording)
+    theta, omega, alpha = smoothed(recording)
     found = dict(zip(STATE, [*theta[:, 0].tolist(), *omega[:, 0].tolist()], strict=True))
     rows, wanted = _equations(theta, omega, alpha)
     names = [*SHAPE, *JOINTS[:2]]
@@ -57,7 +57,7 @@ def refuse_upright(recording: Sampled) -> None:
     import numpy as np
 
     optimize = extra("scipy.optimize", "fit")
-    rows, wanted = _equations(*_smoothed(recording))
+    rows, wanted = _equations(*smoothed(recording))
     pulled = np.array([1.0, 1.0, -1.0, -1.0, 1.0, 1.0])  # D and E are those of gravity
     down, up = (
         optimize.lsq_linear(rows * sign, wanted, (_LEAST, np.inf), "bvls").cost
@@ -89,7 +89,7 @@ def quickness(recording: Sampled) -> float:
     return 2.0 * math.pi * max(middles) / (padded * step)
 
 
-def _smoothed(recording: Sampled) -> tuple[Array, Array, Array]:
+def smoothed(recording: Sampled) -> tuple[Array, Array, Array]:
     """Angles, rates and accelerations on an even grid of times, (2, n) each."""
     import numpy as np
 

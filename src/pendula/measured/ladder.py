@@ -126,8 +126,9 @@ def _begun(problem: Problem, first: Mapping[str, float], length: float, friction
             for name in ("omega0_squared", "viscous")
         )
         frequency = math.sqrt(max(square, 1e-9))
-        amplitude = math.hypot(own.get("theta", 0.0), own.get("omega", 0.0) / frequency)
-        amplitude *= math.exp(-0.25 * max(viscous, 0.0) * length)  # half-way through the window
+        start = math.hypot(own.get("theta", 0.0), own.get("omega", 0.0) / frequency)
+        halfway = start * math.exp(-0.25 * max(viscous, 0.0) * length)
+        amplitude = first.get("amplitude", halfway)
         same = equivalents(viscous, max(amplitude, 1e-9), frequency)
         for name in FRICTIONS:
             values[name] = values[name + mark] = same[name] if name == friction else 0.0

@@ -35,7 +35,7 @@ def first_window(
     """
     import numpy as np
 
-    names = ("theta", "omega", "omega0_squared", "viscous", model.offset)
+    names: tuple[str, ...] = ("theta", "omega", "omega0_squared", "viscous", model.offset)
     if model.quantity == "acceleration" and "sensor_radius" not in constants:
         names = (*names[:-1], "sensor_radius")
     if model.quantity == "acceleration" and not constants["gravity_seen"]:
