@@ -12,6 +12,8 @@ from scipy.io import loadmat
 import pendula
 from pendula.measured import Measurement, fit, read
 from pendula.measured.double_model import SHAPE, shape_of
+from pendula.study.measured.facts import value_rows
+from pendula.study.report import catalogue
 from recordings import recording
 from simulated import correlated
 
@@ -106,6 +108,12 @@ def test_windows_have_starts_of_their_own_and_share_the_pendulum() -> None:
     assert found.names[:4] == SHAPE
     assert {"theta1[4]", "omega2[4]"} <= set(found.names)
     assert found.rms < fit(window(1), "viscous").rms
+    note = next(note for note in found.notes if note.key == "windows")
+    assert note.details["count"] == "4"
+    assert "in 4 windows of" in note.sentence()
+    told = [row[0] for row in value_rows(found, "en", catalogue("en"))]
+    assert "angle 1 at the start[1]" in told
+    assert "angle 1 at the start[2]" not in told
     begins = [each.t[0] for each in found.recordings]
     np.testing.assert_allclose(np.diff(begins), 2.666 / 4, atol=2e-3)
 

@@ -120,6 +120,11 @@ def fitted_double(plan: Plan, recording: Sampled) -> Fit:
     parts = [recording] if plan.windows is None else cut(recording, plan.windows)
     problem, best = shot(plan.problem(tuple(parts)), robust=plan.robust)
     made = result_of(plan, problem, best, best.rms)
+    if len(problem.recordings) > 1:
+        lengths = [float(each.t[-1] - each.t[0]) for each in problem.recordings]
+        told = {"count": str(len(lengths)), "shortest": min(lengths), "longest": max(lengths)}
+        note = Note("windows", told)
+        made = replace(made, notes=(*made.notes, note), flags=(*made.flags, note.key))
     horizon = horizon_of(made, recording, plan.tolerance)
     if horizon is None:
         return made
