@@ -122,8 +122,8 @@ def fitted_double(plan: Plan, recording: Sampled) -> Fit:
     made = result_of(plan, problem, best, best.rms)
     if len(problem.recordings) > 1:
         lengths = [float(each.t[-1] - each.t[0]) for each in problem.recordings]
-        told = {"count": str(len(lengths)), "shortest": min(lengths), "longest": max(lengths)}
-        note = Note("windows", told)
+        ends = {"shortest": min(lengths), "longest": max(lengths)}
+        note = Note("windows", {"count": str(len(lengths)), **ends})
         made = replace(made, notes=(*made.notes, note), flags=(*made.flags, note.key))
     horizon = horizon_of(made, recording, plan.tolerance)
     if horizon is None:

@@ -11,6 +11,7 @@ import numpy as np
 from pendula.measured.rounding import with_uncertainty
 from pendula.measured.whole_swings import periods_at
 from pendula.measured.words import worded
+from pendula.measured.words.reading import reading_note
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -37,7 +38,7 @@ def measured_facts(
     times = fit.t
     end = fit.recordings[-1 if measurement.bodies == 2 else 0].t[-1]  # windows of one recording
     return {
-        "source": _source(measurement),
+        "source": _source(measurement, words.language),
         "further": _further(fit),
         "quantity": catalog["measured"].get(measurement.quantity, measurement.quantity),
         "bodies": measurement.bodies,
@@ -68,7 +69,7 @@ def period_facts(
 ) -> dict[str, Any]:
     """Everything the text about a table of periods reads, as JSON-able data."""
     return {
-        "source": _source(fit.table),
+        "source": _source(fit.table, language),
         "law": fit.law,
         "rows": len(fit.fitted),
         "values": period_rows(fit, language, catalog),
@@ -145,11 +146,11 @@ def _named(name: str, catalog: Mapping[str, Any]) -> str:
     return f"{catalog['quantities'].get(bare, bare)}{bracket}{number}"
 
 
-def _source(measured: Measurement | PeriodTable) -> dict[str, Any]:
+def _source(measured: Measurement | PeriodTable, language: str) -> dict[str, Any]:
     return {
         "name": PurePath(measured.source).name,
         "checksum": measured.checksum[:_SHORT],
-        "notes": list(measured.notes),
+        "notes": [reading_note(each, language) for each in measured.notes],
     }
 
 
