@@ -53,7 +53,7 @@ def filled(part: ast.expr) -> list[str]:
     known = {
         "sizes": ["their size shows it", "none is larger than angles in radians are"],
         "per": ["one swing", "10 swings: divided by that"],
-        "beside": ["", ", the pivot (a, b)"] if "points" in source else ["", "; not used: 'b'"],
+        "beside": ["; not used: 'b'"],
         "turned": [", with its sign turned"],
         "sort": ["with gravity: L ω² + g cos θ"],
     }
