@@ -106,6 +106,11 @@ class SingleModel:
         """
         return _Motion.of(t, self, values).states()
 
+    @property
+    def components(self) -> tuple[str, ...]:
+        """Names of its state."""
+        return ("theta", "omega")
+
     def seen(self, states: Array, values: Mapping[str, float]) -> Array:
         """What is measured of states (n, 2), (n, 1)."""
         import numpy as np
@@ -130,11 +135,7 @@ class SingleModel:
         """
         import numpy as np
 
-        motion = _Motion.of(t, self, values)
-        inner = [name for name in columns if name in motion.columns]
-        derived = np.zeros((len(t), 2, len(columns)))
-        if inner:
-            derived[:, :, [columns.index(name) for name in inner]] = motion.derivatives(inner)
+        derived = self.state_slopes(t, values, columns)
         own: dict[str, Array] = {self.offset: np.ones(len(t))}
         if self.quantity == "acceleration":
             by_state, others = accelerometer.derived(states, values)
@@ -147,6 +148,17 @@ class SingleModel:
         for place, name in enumerate(columns):
             found[:, place] += own.get(name, 0.0)
         return np.asarray(found[:, np.newaxis])
+
+    def state_slopes(self, t: Array, values: Mapping[str, float], columns: Sequence[str]) -> Array:
+        """Derivatives of the states by some of the parameters, (n, 2, k)."""
+        import numpy as np
+
+        motion = _Motion.of(t, self, values)
+        inner = [name for name in columns if name in motion.columns]
+        derived = np.zeros((len(t), 2, len(columns)))
+        if inner:
+            derived[:, :, [columns.index(name) for name in inner]] = motion.derivatives(inner)
+        return derived
 
     def roughly(self) -> SingleModel:
         """The same, computed with fewer digits."""

@@ -7,6 +7,7 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import TYPE_CHECKING, Protocol
 
+from pendula.measured.joints import gap_blocks, gap_slopes, gaps, run_times
 from pendula.measured.least_squares import MOST_STEPS, least_squares
 
 if TYPE_CHECKING:
@@ -39,6 +40,13 @@ class Model(Protocol):
 
     def seen(self, states: Array, values: Mapping[str, float]) -> Array:
         """What is measured of states (n, d), (n, m)."""
+
+    @property
+    def components(self) -> tuple[str, ...]:
+        """Names of its state, (d,)."""
+
+    def state_slopes(self, t: Array, values: Mapping[str, float], columns: Sequence[str]) -> Array:
+        """Derivatives of the states by some of the parameters, (n, d, k)."""
 
     def slopes(
         self, t: Array, states: Array, values: Mapping[str, float], columns: Sequence[str]
@@ -90,6 +98,7 @@ class Problem:
         constants: values of those that are not fitted.
         free_signs: friction may be negative.
         limits: least and largest values by name, in place of what is physical.
+        joints: weights of a gap's components, (d,), where the recordings are windows that join.
         kept: states of the last parameters, by their bytes.
     """
 
@@ -100,6 +109,7 @@ class Problem:
     constants: Mapping[str, float]
     free_signs: bool = False
     limits: Mapping[str, tuple[float, float]] = field(default_factory=dict)
+    joints: tuple[float, ...] = ()
     kept: dict[bytes, list[Array]] = field(default_factory=dict, init=False, repr=False)
 
     @cached_property
@@ -157,7 +167,12 @@ class Problem:
         return {**{row.name: row.standard for row in self.model.rows}, **self.constants}
 
     def states(self, x: Array) -> list[Array]:
-        """Of the motion of each recording, (n, d); NaN where it is not finite.
+        """Of the motion of each recording, (n, d); NaN where it is not finite."""
+        runs = zip(self.runs(x), self.recordings, strict=True)
+        return [run[: len(each.t)] for run, each in runs]
+
+    def runs(self, x: Array) -> list[Array]:
+        """The same, of windows that join to the start of the next, (n + 1, d).
 
         Those of the last parameters are kept: the derivatives are asked for next.
         """
@@ -165,10 +180,14 @@ class Problem:
         if key not in self.kept:
             self.kept.clear()
             self.kept[key] = [
-                self.model.states(each.t, self.values(i, x))
-                for i, each in enumerate(self.recordings)
+                self.model.states(t, self.values(i, x)) for i, t in enumerate(self.times)
             ]
         return self.kept[key]
+
+    @cached_property
+    def times(self) -> list[Array]:
+        """Of the runs, (n,) or (n + 1,) each."""
+        return run_times(self.recordings, joined=bool(self.joints))
 
     def predicted(self, x: Array) -> list[Array]:
         """Of each recording, (n, m)."""
@@ -181,9 +200,10 @@ class Problem:
         import numpy as np
 
         parts = zip(self.predicted(x), self.recordings, strict=True)
-        found = np.concatenate([(p - r.values).T[r.there.T] for p, r in parts])
-        found[~np.isfinite(found)] = _LOST
-        return found
+        found = [(p - r.values).T[r.there.T] for p, r in parts]
+        if self.joints:
+            found += list(gaps(self, x) * np.array(self.joints))
+        return np.nan_to_num(np.concatenate(found), nan=_LOST, posinf=_LOST, neginf=_LOST)
 
     def jacobian(self, x: Array) -> Array:
         """Derivatives of the residuals, (N, k)."""
@@ -195,7 +215,7 @@ class Problem:
             slopes = self.model.slopes(each.t, states, self.values(i, x), self.free)
             block[:, self.places(i)] = slopes.transpose(1, 0, 2)[each.there.T]
             blocks.append(block)
-        found = np.concatenate(blocks)
+        found = np.concatenate([*blocks, *(gap_slopes(self, x) if self.joints else [])])
         found[~np.isfinite(found).all(axis=1)] = 0.0
         return found
 
@@ -206,7 +226,7 @@ class Problem:
             end = begin + int(each.there.sum())
             found.append((slice(begin, end), self.places(i)))
             begin = end
-        return found
+        return [*found, *(gap_blocks(self, begin) if self.joints else [])]
 
     def of(self, recordings: Sequence[Sampled]) -> Problem:
         """The same of other samples."""
@@ -266,7 +286,10 @@ def minimise(
     scale = _spread(problem.residuals(x)) if robust else 0.0
     precision, most = until
     x, cost = least_squares(problem, x, lower, upper, precision, scale, most)
-    return Optimum(problem.names, x, math.sqrt(cost / len(problem.residuals(x))))
+    count = sum(int(each.there.sum()) for each in problem.recordings)
+    if problem.joints:
+        cost = float(np.sum(problem.residuals(x)[:count] ** 2))
+    return Optimum(problem.names, x, math.sqrt(cost / count))
 
 
 def _spread(residuals: Array) -> float:

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 from pendula.measured.double_model import STATE, DoubleModel
 from pendula.measured.double_start import first_values, quickness
 from pendula.measured.fitted import Horizon
+from pendula.measured.joints import gaps
 from pendula.measured.problem import CLOSE, Optimum, Problem, Sampled, minimise
 from pendula.measured.starts import MOST
 from pendula.measured.system_model import SystemModel
@@ -28,14 +29,19 @@ _FEWEST = 20.0  # samples of the first part of one
 _MOST_STRETCHED = 1e3  # times a start's change grows in a window: beyond, minima are too many
 
 
-def shot(problem: Problem, *, robust: bool = False) -> tuple[Problem, Optimum]:
-    """The optimum of windows that each have a start of their own.
+def shot(
+    problem: Problem, *, continuity: float = 1.0, robust: bool = False
+) -> tuple[Problem, Optimum]:
+    """The optimum of windows that each have a start of their own, and join.
+
+    First they are fitted each from its own start, then with the gaps between them as residuals.
 
     A window is fitted from its beginning in longer and longer parts. Where all of one recording is
     not followed, it is cut into windows as long as the part that was.
 
     Args:
         problem: of one recording, or of windows of it.
+        continuity: how much a gap counts, as parts of the samples of a window; 0: not at all.
         robust: as for `minimise`.
 
     Returns:
@@ -63,7 +69,29 @@ def shot(problem: Problem, *, robust: bool = False) -> tuple[Problem, Optimum]:
         problem = problem.of([part for each in parts for part in each])
         start, lost = _starts(problem, known, robust=robust)
     begin = np.array([start[name] for name in problem.names])
-    return problem, minimise(problem, begin, robust=robust)
+    apart = minimise(problem, begin, robust=robust)
+    if not continuity:
+        return problem, apart
+    joined = replace(problem, joints=_weights(problem, whole, continuity))
+    return joined, minimise(joined, apart.x, robust=robust)
+
+
+def _weights(problem: Problem, whole: Sampled, continuity: float) -> tuple[float, ...]:
+    """Of gaps in angles and, over the frequency of the motion, in rates."""
+    samples = continuity * sum(len(each.t) for each in problem.recordings)
+    angle = math.sqrt(samples / len(problem.recordings))
+    rate = angle / quickness(whole)
+    return (angle, angle, rate, rate)
+
+
+def windows_told(problem: Problem, x: Array) -> dict[str, float | str]:
+    """How many windows there are, how long [s], and the largest gap between two [rad]."""
+    import numpy as np
+
+    lengths = [_span(each) for each in problem.recordings]
+    ends = {"shortest": min(lengths), "longest": max(lengths)}
+    apart = gaps(replace(problem, joints=(1.0,) * 4), x)[:, :2]
+    return {"count": str(len(lengths)), **ends, "gap": float(np.abs(apart).max())}
 
 
 def _starts(
