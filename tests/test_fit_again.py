@@ -44,7 +44,7 @@ def test_the_long_swing_is_fitted_in_few_runs(monkeypatch: pytest.MonkeyPatch) -
 
     monkeypatch.setattr(_engine, "ensemble", counted)
     fit(simulated_long(), THREE)
-    assert len(runs) <= 150  # 0.12 s on an idle machine: `make bench`
+    assert len(runs) <= 160  # 0.12 s on an idle machine: `make bench`
 
 
 def test_noise_is_summed_as_its_covariance_says() -> None:

@@ -39,6 +39,9 @@ def test_angles_of_a_double_pendulum_from_the_upright_are_noticed() -> None:
 
 def test_quarters_are_of_the_parameters_in_their_order() -> None:
     made = recorded(DrivenPendulum.bob(0.8, viscous=0.05), (0.4, 0.0), seconds=20.0)
+    said = next(note for note in fit(made, "viscous").notes if note.key == "quarters")
+    assert ", 12." in said.sentence()
+    assert ", 12," in said.sentence("es")
     for found in (fit(made, "viscous"), fit([made, made], "viscous")):
         i = found.names.index("omega0_squared")
         np.testing.assert_allclose(found.recordings[-1].quarters[:, i], found.values[i], rtol=5e-3)
