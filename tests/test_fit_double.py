@@ -10,8 +10,14 @@ import pytest
 from scipy.io import loadmat
 
 import pendula
-from pendula.measured import Measurement, fit
-from pendula.measured.double_model import SHAPE, shape_of
+from pendula.measured import Measurement, fit, read
+from pendula.measured.asked import sampled
+from pendula.measured.double_model import SHAPE, STATE, DoubleModel, shape_of
+from pendula.measured.problem import Problem
+from pendula.measured.system_model import SystemModel
+from pendula.measured.windows import cut
+from pendula.study.measured.facts import value_rows
+from pendula.study.report import catalogue
 from recordings import recording
 from simulated import correlated
 
@@ -106,8 +112,83 @@ def test_windows_have_starts_of_their_own_and_share_the_pendulum() -> None:
     assert found.names[:4] == SHAPE
     assert {"theta1[4]", "omega2[4]"} <= set(found.names)
     assert found.rms < fit(window(1), "viscous").rms
+    note = next(note for note in found.notes if note.key == "windows")
+    assert note.details["count"] == "4"
+    assert "in 4 windows of" in note.sentence()
+    told = [row[0] for row in value_rows(found, "en", catalogue("en"))]
+    assert "angle 1 at the start[1]" in told
+    assert "angle 1 at the start[2]" not in told
     begins = [each.t[0] for each in found.recordings]
     np.testing.assert_allclose(np.diff(begins), 2.666 / 4, atol=2e-3)
+
+
+@pytest.mark.parametrize("start", [(3.0, 0.5, 0.0, 0.0), (2.0, -2.9, 6.0, 0.0)])
+def test_a_long_chaotic_motion_that_turns_over_is_fitted_without_windows_being_named(
+    start: tuple[float, ...],
+) -> None:
+    system = pendula.DampedDoublePendulum.bobs(1.0, 0.5, 0.3, 0.25, 9.81, viscous=(2e-3, 1e-3))
+    t = np.arange(1000) / 100.0
+    angles = pendula.solve(system, start, t).states[:, :2]
+    assert np.ptp(angles) > 2.0 * np.pi
+    noise = 1e-3 * np.random.default_rng(0).normal(size=angles.shape)
+    found = fit(of_angles(t, angles + noise), "viscous")
+    assert found.rms < 1.1e-3
+    assert 2 <= len(found.recordings) <= 8
+    for name, value in shape_of(system).items():
+        if name in found.names:
+            assert found[name].value == pytest.approx(value, rel=0.01), name
+
+
+def test_a_filmed_double_pendulum_is_followed_in_windows_of_half_a_second_or_more() -> None:
+    path = recording("double_pixels_no_header_no_time.csv")
+    filmed = read(path, frame_rate=501, as_angle=True, t=(0.4, 3.4))
+    assert isinstance(filmed, Measurement)
+    found = fit(filmed, "viscous")
+    assert found["B_over_A"].value == pytest.approx(0.075, abs=2e-3)
+    assert found["C_over_A"].value == pytest.approx(0.102, abs=2e-3)
+    assert found.rms < 0.013
+    assert len(found.recordings) <= 6
+
+
+def test_windows_join_and_so_tell_more() -> None:
+    system = pendula.DampedDoublePendulum.bobs(1.0, 0.5, 0.3, 0.25, 9.81, viscous=(2e-3, 1e-3))
+    t = np.arange(600) / 100.0
+    angles = pendula.solve(system, (2.5, 2.5, 0.0, 0.0), t).states[:, :2]
+    made = of_angles(t, angles + 2e-3 * np.random.default_rng(1).normal(size=angles.shape))
+    tied, loose = (fit(made, "viscous", windows=1.5, continuity=each) for each in (1.0, 0.0))
+    (near,), (far,) = (
+        [note.details["gap"] for note in found.notes if note.key == "windows"]
+        for found in (tied, loose)
+    )
+    assert isinstance(near, float)
+    assert isinstance(far, float)
+    assert near < 0.2 * far
+    assert tied.rms < 1.05 * loose.rms
+    true = shape_of(system)
+    for name in SHAPE:
+        i = tied.names.index(name)
+        assert tied.standard_errors[i] < loose.standard_errors[i]
+        assert abs(tied[name].value - true[name]) < 3.0 * tied[name].standard_error
+    assert tied.recipe["continuity"] == 1.0
+
+
+def test_derivatives_of_gaps_between_windows_are_those_of_differences() -> None:
+    made = window(1, 10)
+    for model, free in ((DoubleModel(), SHAPE), (SystemModel(PUBLISHED, "angle"), ("gravity",))):
+        parts = cut(sampled(made, None), 0.9)
+        names = (*STATE, *free)
+        problem = Problem(model, tuple(parts), names, free, {}, joints=(2.0, 3.0, 0.5, 0.4))
+        known = {**shape_of(PUBLISHED), "gravity": 9.8}
+        starts = {f"{n}[{i}]": 0.3 * i for n in STATE for i in range(1, len(parts) + 1)}
+        x = np.array([{**known, **starts}[name] for name in problem.names])
+        slopes = problem.jacobian(x)
+        for j, step in enumerate(1e-6 * np.eye(len(x))):
+            difference = (problem.residuals(x + step) - problem.residuals(x - step)) / 2e-6
+            np.testing.assert_allclose(slopes[:, j], difference, atol=2e-5 * abs(slopes).max())
+        rows = np.zeros_like(slopes, dtype=bool)
+        for part, columns in problem.blocks():
+            rows[part, columns] = True
+        assert not slopes[~rows].any()
 
 
 def test_a_pendulum_with_the_fitted_values_moves_so() -> None:

@@ -5,11 +5,12 @@ from __future__ import annotations
 import re
 from dataclasses import replace
 
+import numpy as np
 import pytest
 
 import pendula
 from pendula.measured import fit
-from simulated import clean
+from simulated import NOISE, clean, recorded
 
 
 @pytest.mark.parametrize(
@@ -49,3 +50,25 @@ def test_what_is_no_recording_is_refused() -> None:
         fit([made, rate])
     with pytest.raises(ValueError, match="must hold a motion: one of its columns is 0.3 all the"):
         fit(replace(made, values=made.values * 0.0 + 0.3))
+
+
+DRIVE = ("torque", "drive_frequency", "drive_phase")
+
+
+@pytest.mark.parametrize(("seed", "start"), [(0, (0.0, 0.0)), (1, (0.6, 0.0)), (2, (-0.3, 1.0))])
+def test_a_drive_is_found_without_start_values(seed: int, start: tuple[float, float]) -> None:
+    random = np.random.default_rng(seed)
+    square, frequency, phase = random.uniform((10.0, 2.0, -3.0), (40.0, 8.0, 3.0))
+    true = {"torque": 3.0, "drive_frequency": frequency, "drive_phase": phase}
+    system = pendula.DrivenPendulum.body(1.0, 1.0, 1.0, square, viscous=0.2, **true)
+    made = recorded(system, start, seconds=20.0)
+    found = fit(made, "viscous", free=DRIVE)
+    assert found.rms < 1.1 * NOISE
+    for name, value in {**true, "omega0_squared": square, "viscous": 0.2}.items():
+        assert abs(found[name].value - value) < 4.0 * found[name].standard_error, name
+    unlike = pendula.DrivenPendulum.body(
+        1.0, 1.0, 1.0, 9.0, viscous=1.0, torque=0.5, drive_frequency=1.0
+    )
+    again = fit(made, unlike, free=("gravity", "viscous", "angle_offset", *DRIVE))
+    assert again.rms == pytest.approx(found.rms, rel=1e-6)
+    assert again["torque"].value == pytest.approx(found["torque"].value, rel=1e-4)

@@ -8,7 +8,8 @@ import numpy as np
 import pytest
 
 from pendula import DampedDoublePendulum, DrivenPendulum
-from pendula.measured import compare_models, fit
+from pendula.measured import Measurement, compare_models, fit, read
+from recordings import recording
 from simulated import NOISE, recorded
 
 
@@ -38,6 +39,9 @@ def test_angles_of_a_double_pendulum_from_the_upright_are_noticed() -> None:
 
 def test_quarters_are_of_the_parameters_in_their_order() -> None:
     made = recorded(DrivenPendulum.bob(0.8, viscous=0.05), (0.4, 0.0), seconds=20.0)
+    said = next(note for note in fit(made, "viscous").notes if note.key == "quarters")
+    assert ", 12." in said.sentence()
+    assert ", 12," in said.sentence("es")
     for found in (fit(made, "viscous"), fit([made, made], "viscous")):
         i = found.names.index("omega0_squared")
         np.testing.assert_allclose(found.recordings[-1].quarters[:, i], found.values[i], rtol=5e-3)
@@ -47,3 +51,27 @@ def test_models_of_a_double_pendulum_are_not_compared() -> None:
     made = recorded(DampedDoublePendulum.bobs(), (0.5, 0.2, 0.0, 0.0), seconds=3.0)
     with pytest.raises(ValueError, match="must be of one pendulum for models to be compared"):
         compare_models(made)
+
+
+def test_an_axis_that_is_off_the_string_sees_the_swing_along_it_too() -> None:
+    made = recorded(DrivenPendulum.bob(0.26, viscous=0.001), (0.25, 0.0), seconds=15.0)
+    theta, square = made.values[:, 0], 9.81 / 0.26
+    rate = np.gradient(theta, made.t, edge_order=2)
+    noise = 0.02 * np.random.default_rng(3).normal(size=len(theta))
+    axis = 0.26 * (rate**2 * np.cos(0.07) - square * np.sin(theta) * np.sin(0.07)) + noise
+    sensor = replace(made, values=axis[:, np.newaxis], quantity="acceleration", unit="m/s²")
+    found = fit(replace(sensor, reading={"linear": True}), "viscous", length=0.26)
+    assert found["gravity"].value == pytest.approx(9.81, rel=2e-3)
+    assert abs(found["tilt"].value) == pytest.approx(0.07, abs=0.01)
+    assert found.rms < 0.05
+
+
+def test_the_free_swing_of_a_phone_is_found_in_its_acceleration() -> None:
+    phone = read(recording("phone_linear_acceleration.csv"))
+    assert isinstance(phone, Measurement)
+    found = fit(phone, "viscous", length=0.26)
+    note = next(note for note in found.notes if note.key == "free_swing")
+    assert note.details["begin"] == pytest.approx(8.8, abs=0.3)
+    assert note.details["end"] == pytest.approx(42.3, abs=0.3)
+    assert note.details["inside"] == pytest.approx(0.021, abs=2e-3)
+    assert found["period"].value == pytest.approx(1.021, abs=2e-3)

@@ -14,7 +14,15 @@ import pytest
 import pendula
 import recordings
 from commands import Call, unfolded
-from pendula.measured import Apparatus, Measurement, PeriodTable, fit, fit_periods, read
+from pendula.measured import (
+    Apparatus,
+    Measurement,
+    PeriodTable,
+    compare_models,
+    fit,
+    fit_periods,
+    read,
+)
 from recordings import DEGREES, RATE, SWING, TIMES, rows, text
 from simulated import clean
 
@@ -65,6 +73,7 @@ def kinds() -> dict[str, Any]:
         "several": fit([made, made], "viscous", shared=("viscous",)),
         "bob": fit(made, bob, bounds={"gravity": (9.0, 10.0)}),
         "untold": fit(made, bob, free=("mass", "gravity", "viscous")),
+        "compared": compare_models(made, ("viscous", "viscous + coulomb", "linear"), length=0.8),
         "windows": fit(two, "viscous", windows=0.8),
         "double": fit(two, double, free=("gravity",)),
         "table": TABLE,
@@ -77,7 +86,8 @@ def things() -> dict[str, Any]:
     return kinds()
 
 
-NAMES = ("recording", "model", "several", "bob", "untold", "windows", "double", "table", "periods")
+FITS = ("model", "several", "bob", "untold", "windows", "double", "periods", "compared")
+NAMES = ("recording", "table", *FITS)
 
 
 @every_ending
@@ -93,7 +103,7 @@ def test_what_is_saved_is_read_back_bit_for_bit(
 
 
 @every_ending
-@pytest.mark.parametrize("name", [each for each in NAMES if each not in ("recording", "table")])
+@pytest.mark.parametrize("name", FITS)
 def test_a_fit_is_made_again_with_the_same_bits(
     things: dict[str, Any], name: str, ending: str, tmp_path: Path
 ) -> None:
@@ -199,6 +209,12 @@ def test_tables_have_names_and_units(things: dict[str, Any]) -> None:
     np.testing.assert_array_equal(dataset["covariance"], found.covariance)
     np.testing.assert_array_equal(dataset["residuals"], found.residuals)
     assert dataset["value"].sel(parameter="viscous") == found["viscous"].value
+    table = things["compared"].to_pandas()
+    assert list(table.index) == ["viscous", "viscous + coulomb", "linear"]
+    dataset = things["compared"].to_xarray()
+    assert dataset.attrs["preferred"] == "viscous"
+    assert dataset["bic"].sel(model="viscous") == table.loc["viscous", "bic"] == 0.0
+    assert dataset["rms"].attrs["units"] == "rad"
     assert things["several"].to_xarray()["fitted2"].dims == ("t2", "column2")
     assert list(TABLE.to_pandas()) == ["length [m]", "period [s]"]
     assert list(TABLE.to_xarray().sizes) == ["row"]
@@ -222,6 +238,7 @@ def test_a_recording_is_drawn() -> None:
     [
         ("model", "dry friction"),
         ("periods", "gravity g"),
+        ("compared", "The record is described by this model: viscous friction"),
         ("recording", "quantity: angle: theta [rad]"),
         ("table", "periods: 4, 1.42 … 2.01 s"),
     ],

@@ -117,6 +117,7 @@ def _fit_periods(measured: PeriodTable, given: dict[str, Any]) -> PeriodFit:
 def _motion_told(found: Fit | Comparison, language: str) -> list[str]:
     from pendula.measured.compare import Comparison
     from pendula.measured.words import worded
+    from pendula.measured.words.reading import reading_note
     from pendula.study.measured.facts import value_rows
     from pendula.study.report import catalogue
 
@@ -126,7 +127,10 @@ def _motion_told(found: Fit | Comparison, language: str) -> list[str]:
         found = found.best
     rows = value_rows(found, language, catalog)
     read = dict.fromkeys(note for each in found.recordings for note in each.measurement.notes)
-    notes = [*read, *(note.sentence(language) for note in found.notes)]
+    notes = [
+        *(reading_note(each, language) for each in read),
+        *(note.sentence(language) for note in found.notes),
+    ]
     lines += [worded(found.model, language), table(_header(catalog), rows)]
     return [*lines, *map(paragraph, notes)]
 
@@ -142,6 +146,7 @@ def _models_told(found: Comparison, language: str, words: dict[str, str]) -> lis
 
 
 def _periods_told(found: PeriodFit, language: str) -> list[str]:
+    from pendula.measured.words.reading import reading_note
     from pendula.plot.labels import labels
     from pendula.study.measured.facts import correction_rows, period_rows, period_verdict
     from pendula.study.notation import Numbers
@@ -153,7 +158,8 @@ def _periods_told(found: PeriodFit, language: str) -> list[str]:
     if found.corrections:
         header = [catalog["measured"]["correction"], catalog["measured"]["change"]]
         lines.append(table(header, correction_rows(found, catalog, numbers)))
-    said = [*found.table.notes, *period_verdict(found, catalog, numbers)]
+    read = (reading_note(each, language) for each in found.table.notes)
+    said = [*read, *period_verdict(found, catalog, numbers)]
     return [*lines, *map(paragraph, said)]
 
 

@@ -20,10 +20,10 @@ if TYPE_CHECKING:
 def show_measured(found: Held, given: dict[str, Any]) -> Callable[[str], Figure]:
     """Say what the file holds; what draws it is given back, in a language."""
     from pendula.io import load
-    from pendula.measured import Fit, Measurement, PeriodFit
+    from pendula.measured import Comparison, Fit, Measurement, PeriodFit
 
     kept = load(found.path)
-    if isinstance(kept, Fit | PeriodFit):
+    if isinstance(kept, Comparison | Fit | PeriodFit):
         for line in told(kept, given["lang"]):
             click.echo(line)
     else:
@@ -34,6 +34,8 @@ def show_measured(found: Held, given: dict[str, Any]) -> Callable[[str], Figure]
         from pendula.plot.measured import measured_fit
         from pendula.plot.measured_periods import period_table
 
+        if isinstance(kept, Comparison):
+            return measured_fit(kept.best.recordings[0], language=language)
         if isinstance(kept, Fit):
             return measured_fit(kept.recordings[0], language=language)
         if isinstance(kept, PeriodFit):

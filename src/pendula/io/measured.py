@@ -20,6 +20,7 @@ from pendula.io.measured_tables import to_pandas, to_xarray
 from pendula.io.measured_tree import Decoder, Encoder
 from pendula.io.netcdf import write_sealed
 from pendula.io.whole import damaged
+from pendula.measured.compare import Comparison, compare_models
 from pendula.measured.fit import fit
 from pendula.measured.fitted import Fit
 from pendula.measured.measurement import Measurement, PeriodTable
@@ -42,9 +43,10 @@ MEASURED = "measured"  # key of what a file says it holds, by the name of its cl
 
 @method_of(Storable)
 def save(measured: Storable, path: str | PathLike[str], *, overwrite: bool = False) -> None:
-    """Write a recording, a table of periods or a fit; the name's ending chooses: .json or .nc.
+    """Write a recording, a table of periods, a fit or a comparison of models, as .json or .nc.
 
-    `pendula.load` gives the same back, bit for bit, and `pendula.rerun` fits, or reads, again.
+    The name's ending chooses. `pendula.load` gives the same back, bit for bit, and `pendula.rerun`
+    fits, or reads, again.
 
     Raises:
         ValueError: for another ending.
@@ -102,7 +104,7 @@ def from_stored(known: dict[str, Any], stored: Stored, source: Path) -> Storable
 
 
 def again(measured: Storable, source: Path) -> Storable:
-    """A saved fit fitted again by its recipe, or a recording read again from its file.
+    """A saved fit or comparison made again by its recipe, or a recording read again from its file.
 
     Raises:
         ValueError: where the recording's file is another now, or was none.
@@ -110,6 +112,9 @@ def again(measured: Storable, source: Path) -> Storable:
     """
     if isinstance(measured, Fit):
         return _fitted_again(measured)
+    if isinstance(measured, Comparison):
+        recordings = [each.measurement for each in measured.best.recordings]
+        return compare_models(recordings, **measured.recipe)
     if isinstance(measured, PeriodFit):
         known = dict(measured.recipe)
         apparatus = known.pop("apparatus")

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from pendula._checks import extra
 from pendula._late_methods import method_of
+from pendula.measured.compare import Comparison
 from pendula.measured.fitted import Fit
 from pendula.measured.measurement import Measurement, PeriodTable
 from pendula.measured.periods import PeriodFit
@@ -24,13 +25,18 @@ if TYPE_CHECKING:
 
 
 @method_of(Storable)
-def to_pandas(measured: Measured) -> pd.DataFrame:
+def to_pandas(measured: Measured | Comparison) -> pd.DataFrame:
     """A table (extra: io).
 
     Of a recording a row for each sample, columns such as "theta [rad]"; of a table of periods its
-    rows; of a fit a row for each parameter, with its errors and unit.
+    rows; of a fit a row for each parameter, with its errors and unit; of a comparison a row for
+    each model.
     """
     pandas = extra("pandas", "io")
+    if isinstance(measured, Comparison):
+        index = pandas.Index([row.model for row in measured.rows], name="model")
+        models: pd.DataFrame = pandas.DataFrame(_judged(measured), index)
+        return models
     if isinstance(measured, Fit | PeriodFit):
         index = pandas.Index(measured.names, name="parameter")
         columns: dict[str, Any] = {name: values for name, (_, values) in _told(measured).items()}
@@ -42,14 +48,22 @@ def to_pandas(measured: Measured) -> pd.DataFrame:
 
 
 @method_of(Storable)
-def to_xarray(measured: Measured) -> xr.Dataset:
+def to_xarray(measured: Measured | Comparison) -> xr.Dataset:
     """A dataset, units on each variable (extra: io).
 
     Of a recording over t; of a table of periods over row; of a fit its parameters over parameter,
     with their covariance, and what was measured and fitted over t, or row; a second recording's are
-    called measured2 and so on, over t2.
+    called measured2 and so on, over t2; of a comparison its table over model.
     """
     xarray = extra("xarray", "io")
+    if isinstance(measured, Comparison):
+        table: xr.Dataset = xarray.Dataset(
+            {name: (("model",), values) for name, values in _judged(measured).items()},
+            {"model": [row.model for row in measured.rows]},
+            {"preferred": measured.preferred, "recipe": _json(measured.recipe)},
+        )
+        table["rms"].attrs["units"] = measured.best.measurement.unit
+        return table
     dataset: xr.Dataset = xarray.Dataset(
         {name: (dims, values, {"units": u}) for name, (dims, u, values) in _all(measured).items()},
         attrs=_attributes(measured),
@@ -61,6 +75,12 @@ def to_xarray(measured: Measured) -> xr.Dataset:
     if isinstance(measured, Fit):
         dataset = dataset.assign_coords(other_parameter=list(measured.names))
     return dataset if "t" not in dataset else dataset.set_coords("t")
+
+
+def _judged(measured: Comparison) -> dict[str, list[Any]]:
+    """Columns of the table of models."""
+    names = ("rms", "parameters", "aic", "bic", "admitted")
+    return {name: [getattr(row, name) for row in measured.rows] for name in names}
 
 
 def _told(measured: Fit | PeriodFit) -> Columns:

@@ -7,6 +7,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import fields, is_dataclass
 from typing import TYPE_CHECKING, Any
 
+from pendula.measured.compare import Compared, Comparison
 from pendula.measured.fitted import Fit, FittedRecording, Horizon, Quantity
 from pendula.measured.measurement import Measurement, PeriodTable
 from pendula.measured.periods import AppliedCorrection, PeriodFit
@@ -20,6 +21,8 @@ _CLASSES: dict[str, Any] = {
     each.__name__: each
     for each in (
         AppliedCorrection,
+        Compared,
+        Comparison,
         Fit,
         FittedRecording,
         Horizon,

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING
 
+from pendula.measured.driven_start import driven_values
 from pendula.measured.ladder import Rungs, climbed
 from pendula.measured.model import SingleModel
 from pendula.measured.starts import first_window
@@ -25,6 +26,9 @@ class Begun:
         constants = plan.problem(recordings).constants
         for i, each in enumerate(recordings):
             own, length = first_window(each, plan.model, constants)
+            if plan.model.quantity == "angle" and _is_driven(plan):
+                own |= driven_values(each, constants)
+                length = float(each.t[-1] - each.t[0])  # the drive holds the phase
             self.length = min(self.length, length)
             for name, value in {**own, **plan.start}.items():
                 if len(recordings) > 1:
@@ -34,3 +38,8 @@ class Begun:
     def best(self, plan: Plan, problem: Problem) -> Optimum:
         """The optimum of a problem."""
         return climbed(problem, self.first, self.length, self.rungs, robust=plan.robust)
+
+
+def _is_driven(plan: Plan) -> bool:
+    """Whether a torque that swings is fitted."""
+    return "torque" in plan.free and "drive_frequency" in {*plan.free, *plan.fixed}

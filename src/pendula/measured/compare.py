@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from pendula._late_methods import with_promised
@@ -14,13 +14,12 @@ from pendula.measured.begun import Begun
 from pendula.measured.fit import fitted
 from pendula.measured.model import FRICTIONS
 from pendula.measured.plan import planned
+from pendula.measured.storable import Storable
 from pendula.measured.words import Note
 
 if TYPE_CHECKING:
     from os import PathLike
     from pathlib import Path
-
-    import pandas as pd
 
     from pendula.measured.fitted import Fit
     from pendula.measured.measurement import Measurement
@@ -66,7 +65,7 @@ class Compared(NamedTuple):
 
 @with_promised
 @dataclass(frozen=True, eq=False)
-class Comparison:
+class Comparison(Storable):
     """Models of one recording, and the one that is preferred.
 
     Attributes:
@@ -78,6 +77,7 @@ class Comparison:
         n_effective: independent samples that all are judged by: those of the residuals of the model
             with the smallest.
         notes: the verdict in words: `note.sentence("es")`.
+        recipe: the arguments of `compare_models` but for the measurements, as JSON has them.
     """
 
     rows: tuple[Compared, ...]
@@ -87,6 +87,7 @@ class Comparison:
     linear_enough: bool | None
     n_effective: float
     notes: tuple[Note, ...]
+    recipe: Mapping[str, Any] = field(default_factory=dict)
 
     def __getitem__(self, model: str) -> Compared:
         """The row of a model."""
@@ -101,17 +102,6 @@ class Comparison:
     def verdict(self, language: str = "en") -> str:
         """The verdict in words."""
         return " ".join(note.sentence(language) for note in self.notes)
-
-    def to_pandas(self) -> pd.DataFrame:
-        """The table, one row a model."""
-        from pendula._checks import extra
-
-        pandas = extra("pandas", "fit")
-        names = ("rms", "parameters", "aic", "bic", "admitted")
-        rows = [[getattr(row, name) for name in names] for row in self.rows]
-        index = pandas.Index([row.model for row in self.rows], name="model")
-        table: pd.DataFrame = pandas.DataFrame(rows, index, names)
-        return table
 
     if TYPE_CHECKING:  # attached by the module that defines it
 
@@ -177,7 +167,9 @@ def compare_models(
         effective,
         (),
     )
-    return replace(found, notes=_verdict(found))
+    asked = {name: each for name, each in preferred.fit.recipe.items() if name != "system"}
+    names = tuple(row.model for row in rows)
+    return replace(found, notes=_verdict(found), recipe={"models": names, **asked})
 
 
 def _of_one_pendulum(

@@ -38,6 +38,11 @@ class DoubleModel:
         return 2
 
     @property
+    def components(self) -> tuple[str, ...]:
+        """Names of its state."""
+        return STATE
+
+    @property
     def shape(self) -> dict[str, float]:
         """What is known of its shape beforehand: nothing."""
         return {}

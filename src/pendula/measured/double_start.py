@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING
 from pendula._checks import extra
 from pendula._messages import ArgumentError
 from pendula.measured.double_model import JOINTS, SHAPE, STATE
-from pendula.measured.starts import main_frequency
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -32,7 +31,7 @@ def first_values(recording: Sampled, constants: Mapping[str, float]) -> dict[str
     import numpy as np
 
     optimize = extra("scipy.optimize", "fit")
-    theta, omega, alpha = _smoothed(recording)
+    theta, omega, alpha = smoothed(recording)
     found = dict(zip(STATE, [*theta[:, 0].tolist(), *omega[:, 0].tolist()], strict=True))
     rows, wanted = _equations(theta, omega, alpha)
     names = [*SHAPE, *JOINTS[:2]]
@@ -58,7 +57,7 @@ def refuse_upright(recording: Sampled) -> None:
     import numpy as np
 
     optimize = extra("scipy.optimize", "fit")
-    rows, wanted = _equations(*_smoothed(recording))
+    rows, wanted = _equations(*smoothed(recording))
     pulled = np.array([1.0, 1.0, -1.0, -1.0, 1.0, 1.0])  # D and E are those of gravity
     down, up = (
         optimize.lsq_linear(rows * sign, wanted, (_LEAST, np.inf), "bvls").cost
@@ -69,7 +68,28 @@ def refuse_upright(recording: Sampled) -> None:
         raise ArgumentError("zero", rule, "read the file with <zero=up>")
 
 
-def _smoothed(recording: Sampled) -> tuple[Array, Array, Array]:
+def quickness(recording: Sampled) -> float:
+    """Angular frequency below which half of the motion is, of the quicker of two bobs [rad/s].
+
+    That of their directions e^{iθ}: angles that turn on and on have no line in their spectrum.
+    """
+    import numpy as np
+
+    step = float(np.median(np.diff(recording.t)))
+    grid = np.arange(round((recording.t[-1] - recording.t[0]) / step) + 1) * step + recording.t[0]
+    middles = []
+    for column, there in zip(recording.values.T, recording.there.T, strict=True):
+        way = np.exp(1j * np.interp(grid, recording.t[there], column[there]))
+        n = len(way)
+        padded = 1 << (4 * n - 1).bit_length()
+        power = np.abs(np.fft.fft((way - way.mean()) * np.hanning(n + 2)[1:-1], padded)) ** 2
+        both = power[1 : padded // 2] + power[: padded // 2 : -1]
+        part = np.cumsum(both)
+        middles.append(1.0 + float(np.searchsorted(part, 0.5 * part[-1])))
+    return 2.0 * math.pi * max(middles) / (padded * step)
+
+
+def smoothed(recording: Sampled) -> tuple[Array, Array, Array]:
     """Angles, rates and accelerations on an even grid of times, (2, n) each."""
     import numpy as np
 
@@ -82,7 +102,7 @@ def _smoothed(recording: Sampled) -> tuple[Array, Array, Array]:
             for column, there in zip(recording.values.T, recording.there.T, strict=True)
         ]
     )
-    points = round(2.0 * math.pi / main_frequency(recording) / _SMOOTH / step)
+    points = round(2.0 * math.pi / quickness(recording) / _SMOOTH / step)
     points = min(max(2 * (points // 2) + 1, _DEGREE + 3), 2 * ((len(grid) - 1) // 2) + 1)
     theta, omega, alpha = (
         signal.savgol_filter(even, points, min(_DEGREE, points - 1), deriv=each, delta=step)

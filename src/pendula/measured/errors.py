@@ -42,6 +42,9 @@ class Errors:
         noises: of each column of each recording.
         times: integrated autocorrelation times of their residuals, in samples.
         effective: independent samples that carry as much.
+        correlation: of the parameters, as if they had no bounds, (k, k).
+        beyond: how far beyond the bounds that are active the optimum would be without them, (k,).
+        structured: residuals scatter over blocks more than noise does.
         flat: directions (k,) in which the data tell nothing, in units of what each parameter does.
     """
 
@@ -52,6 +55,9 @@ class Errors:
     noises: list[Noise]
     times: list[float]
     effective: float
+    correlation: Array
+    beyond: Array
+    structured: bool
     flat: list[Array]
 
     def untold(self, names: tuple[str, ...]) -> list[tuple[str, ...]]:
@@ -76,7 +82,7 @@ def errors_of(problem: Problem, x: Array) -> Errors:
     import numpy as np
 
     series = _series(problem, x)
-    jacobian = np.concatenate([each.jacobian for each in series])
+    jacobian = problem.jacobian(x)  # with the gaps between windows, which have no noise
     size = np.linalg.norm(jacobian, axis=0)
     size[size == 0.0] = 1.0
     _, singular, directions = np.linalg.svd(triangle(jacobian / size))
@@ -92,21 +98,32 @@ def errors_of(problem: Problem, x: Array) -> Errors:
     least = np.maximum(modelled, 1e-300)
     factor = np.where(scattered > trusted * modelled, scattered / least, 1.0)
     standard = modelled * factor
-    widened = standard / np.sqrt(np.maximum(np.diagonal(covariance), 1e-300))
+    covariance = correlation_of(covariance) * np.outer(standard, standard)
     rest = np.concatenate([each.residuals for each in series])
     variance = float(np.sum(rest**2)) / max(len(rest) - len(x), 1)
     flat = list(directions[~good])
     untold = np.any([abs(each) > _PART * abs(each).max() for each in flat], axis=0)
     return Errors(
-        covariance * np.outer(widened, widened),
+        covariance,
         np.where(untold, np.inf, standard),
         np.where(untold, np.inf, np.sqrt(variance * np.maximum(np.diagonal(inverse), 0.0))),
         {"autocorrelation": modelled, "blocks": scattered},
         noises,
         times,
         float(sum(len(s.residuals) / tau for s, tau in zip(series, times, strict=True))),
+        correlation_of(covariance),
+        -inverse @ (jacobian.T @ problem.residuals(x)),
+        bool((factor > 1.001).any()),
         flat,
     )
+
+
+def correlation_of(covariance: Array) -> Array:
+    """Correlations, (k, k)."""
+    import numpy as np
+
+    scale = np.sqrt(np.maximum(np.diagonal(covariance), 1e-300))
+    return np.asarray(covariance / np.outer(scale, scale))
 
 
 def _series(problem: Problem, x: Array) -> list[Series]:

@@ -14,7 +14,7 @@ from pendula.measured.plan import Plan, planned
 from pendula.measured.result import result_of
 from pendula.measured.system_model import SystemModel
 from pendula.measured.system_start import system_optimum
-from pendula.measured.windows import cut, horizon_of, shot
+from pendula.measured.windows import cut, horizon_of, shot, windows_told
 from pendula.measured.words import Note
 
 if TYPE_CHECKING:
@@ -41,6 +41,7 @@ def fit(
     uncertainty: str = "corrected",
     seed: int = 0,
     windows: float | None = None,
+    continuity: float = 1.0,
     tolerance: float = 0.1,
 ) -> Fit:
     """Least squares on the motion itself, by a model of a pendulum or a system of the catalogue.
@@ -77,6 +78,8 @@ def fit(
         seed: of the bootstrap.
         windows: of a double pendulum: length of the windows, which each have a start of their own
             [s]; None: one window, or several where the motion cannot be followed in one.
+        continuity: of windows: how much the gap between the end of one and the start of the next
+            counts: 1: as if all samples of a window were off by it; 0: not at all.
         tolerance: of a double pendulum: angle by which model and measurement may differ where
             `horizon` says how long they agree [rad].
 
@@ -118,8 +121,11 @@ def fitted_double(plan: Plan, recording: Sampled) -> Fit:
     """The fit of a double pendulum that was planned."""
     refuse_upright(recording)
     parts = [recording] if plan.windows is None else cut(recording, plan.windows)
-    problem, best = shot(plan.problem(tuple(parts)), robust=plan.robust)
+    problem, best = shot(plan.problem(tuple(parts)), continuity=plan.continuity, robust=plan.robust)
     made = result_of(plan, problem, best, best.rms)
+    if len(problem.recordings) > 1:
+        note = Note("windows", windows_told(problem, best.x))
+        made = replace(made, notes=(*made.notes, note), flags=(*made.flags, note.key))
     horizon = horizon_of(made, recording, plan.tolerance)
     if horizon is None:
         return made

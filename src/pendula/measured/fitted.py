@@ -98,11 +98,12 @@ class Fit(Storable):
         units: SI, of each parameter.
         standard_errors: with the noise's autocorrelation taken into account, (k,); twice as much
             to either side holds the true value with a probability of 95 %, if the model is true.
+            Of frictions near zero what lies below it is left out.
         plain_standard_errors: as if the samples were independent, (k,).
         error_kinds: the others that were computed, by name: "autocorrelation", "blocks",
             "profile", "bootstrap", each (k,).
         covariance: that of `standard_errors`, (k, k).
-        correlation: (k, k).
+        correlation: what the record alone says, as if there were no bounds, (k, k).
         recordings: each recording beside its motion, in the order in which they were given.
         rms: of all residuals, in the measured unit.
         n_samples: fitted numbers, those missing not counted.

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from pendula.measured.begun import Begun
 from pendula.measured.model import DRIVE, FRICTIONS, SingleModel
-from pendula.measured.problem import minimise
+from pendula.measured.problem import CLOSE, minimise
 from pendula.measured.system_model import TIME_OFFSET, SystemModel
 from pendula.systems import DrivenPendulum
 
@@ -84,7 +84,7 @@ def free_swing(plan: Plan, recording: Sampled, rms: float) -> tuple[float, float
         part = thin.taken(slice(first, last))
         start = {**values, "theta": states[first, 0], "omega": states[first, 1]}
         begun = np.array([start[name] for name in problem.names])
-        best = minimise(plan.problem((part,)), begun, rough=True)
+        best = minimise(plan.problem((part,)), begun, until=CLOSE)
     if (first, last) == (0, n) or inside > _BETTER * rms:
         return None
     beside = np.abs(thin.t - 0.5 * (thin.t[first] + thin.t[last - 1]))
@@ -121,10 +121,8 @@ def _away(
     made = SystemModel(DrivenPendulum.body(1.0, 1.0, 1.0, square), model.quantity)
     known = {row.name: row.standard for row in made.rows} | {**values, "gravity": square}
     known[TIME_OFFSET] = float(recording.t[first] - recording.t[0])
-    if model.quantity == "acceleration":  # felt as R ω0² cos θ
-        known["gravity_seen"] *= values["sensor_radius"]
     states = made.states(recording.t, known)
-    return np.asarray((recording.values - made.seen(states, known))[:, 0]), states
+    return np.asarray((recording.values - model.seen(states, values))[:, 0]), states
 
 
 def _running(away: Array, t: Array, period: float) -> Array:

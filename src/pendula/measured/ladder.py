@@ -8,11 +8,11 @@ from itertools import combinations
 from typing import TYPE_CHECKING
 
 from pendula.measured.model import FRICTIONS
-from pendula.measured.problem import Optimum, Problem, minimise
+from pendula.measured.problem import ROUGH, Optimum, Problem, minimise
 from pendula.measured.starts import MOST, equivalents
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping
+    from collections.abc import Iterable, Mapping
 
     from pendula._types import Array
 
@@ -31,12 +31,12 @@ def climbed(
     *,
     robust: bool = False,
 ) -> Optimum:
-    """The optimum of a problem, by way of every smaller set of its frictions.
+    """The optimum of a problem, by way of smaller sets of its frictions.
 
     One friction alone is fitted to longer and longer windows, each from the one before: in a long
-    record the phase has as many minima as there are swings. A set of several is fitted from the
-    best set with one friction fewer, which it contains: so a larger model never ends above a
-    smaller one in it. All but the last are fitted to fewer samples.
+    record the phase has as many minima as there are swings. To the one that is best alone the
+    others are added, each set fitted from the best set on the way with one friction fewer. All but
+    the last are fitted to fewer samples.
 
     Args:
         problem: what is to be fitted.
@@ -48,26 +48,47 @@ def climbed(
     frictions = [name for name in FRICTIONS if name in problem.free]
     found = rungs
     thin = problem.thinned(MOST)
-    for count in range(1, len(frictions) + 1):
-        for chosen in map(frozenset, combinations(frictions, count)):
-            if chosen in found:
-                continue
+    for name in frictions:
+        alone = frozenset([name])
+        if alone not in found:
+            smaller = _only(problem, alone)
+            start = _begun(smaller, first, length, name)
+            found[alone] = grown(smaller, start, length, robust=robust)
+    for chosen in _steps(frictions, found):
+        if chosen not in found:
             smaller = _only(problem, chosen)
-            if count == 1:
-                start = _begun(smaller, first, length, *chosen)
-                found[chosen] = grown(smaller, start, length, robust=robust)
-            else:
-                best = min((found[chosen - {name}] for name in chosen), key=_rms)
-                found[chosen] = minimise(
-                    replace(smaller, recordings=thin.recordings, model=thin.model),
-                    _filled(smaller, best),
-                    robust=robust,
-                    rough=True,
-                )
+            found[chosen] = minimise(
+                replace(smaller, recordings=thin.recordings, model=thin.model),
+                _filled(smaller, _below(chosen, frictions, found)),
+                robust=robust,
+                until=ROUGH,
+            )
     if not frictions:
         start = _begun(problem, first, length, "")
         return minimise(problem, grown(problem, start, length, robust=robust).x, robust=robust)
     return minimise(problem, _filled(problem, found[frozenset(frictions)]), robust=robust)
+
+
+def _best(frictions: Iterable[str], found: Rungs) -> str:
+    """The friction that fits best alone."""
+    return min(frictions, key=lambda name: found[frozenset([name])].rms)
+
+
+def _steps(frictions: list[str], found: Rungs) -> list[frozenset[str]]:
+    """Sets of several frictions on the way to all of them, each with the one best alone."""
+    best = _best(frictions, found) if frictions else ""
+    others = [name for name in frictions if name != best]
+    return [
+        frozenset([best, *more])
+        for count in range(1, len(frictions))
+        for more in combinations(others, count)
+    ]
+
+
+def _below(chosen: frozenset[str], frictions: list[str], found: Rungs) -> Optimum:
+    """The best of the sets on the way with one friction fewer, whatever else was found."""
+    added = chosen - {_best(frictions, found)}
+    return min((found[chosen - {name}] for name in added), key=_rms)
 
 
 def _rms(optimum: Optimum) -> float:
@@ -105,8 +126,9 @@ def _begun(problem: Problem, first: Mapping[str, float], length: float, friction
             for name in ("omega0_squared", "viscous")
         )
         frequency = math.sqrt(max(square, 1e-9))
-        amplitude = math.hypot(own.get("theta", 0.0), own.get("omega", 0.0) / frequency)
-        amplitude *= math.exp(-0.25 * max(viscous, 0.0) * length)  # half-way through the window
+        start = math.hypot(own.get("theta", 0.0), own.get("omega", 0.0) / frequency)
+        halfway = start * math.exp(-0.25 * max(viscous, 0.0) * length)
+        amplitude = first.get("amplitude", halfway)
         same = equivalents(viscous, max(amplitude, 1e-9), frequency)
         for name in FRICTIONS:
             values[name] = values[name + mark] = same[name] if name == friction else 0.0
@@ -119,6 +141,6 @@ def grown(problem: Problem, start: Array, length: float, *, robust: bool) -> Opt
     x = start
     while length < _NEARLY * span:
         window = problem.within(length).thinned(MOST)
-        x = minimise(window, x, robust=robust, rough=True).x
+        x = minimise(window, x, robust=robust, until=ROUGH).x
         length *= _GROWS
-    return minimise(problem.thinned(MOST), x, robust=robust, rough=True)
+    return minimise(problem.thinned(MOST), x, robust=robust, until=ROUGH)

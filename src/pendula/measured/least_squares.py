@@ -7,6 +7,8 @@ from typing import TYPE_CHECKING, Protocol
 from pendula._checks import extra
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from pendula._types import Array
 
 MOST_STEPS = 60
@@ -24,6 +26,9 @@ class Residuals(Protocol):
 
     def jacobian(self, x: Array) -> Array:
         """(N, k)."""
+
+    def blocks(self) -> Sequence[tuple[slice, Sequence[int]]]:
+        """Rows of the derivatives, and the columns in which they are not zero."""
 
 
 def least_squares(
@@ -62,7 +67,8 @@ def least_squares(
     size = np.zeros(len(x))
     for _ in range(most):
         weights = _weights(rest, scale)
-        reduced, target = _reduced(of.jacobian(x) * weights[:, np.newaxis], rest * weights)
+        weighted = of.jacobian(x) * weights[:, np.newaxis]
+        reduced, target = _reduced(weighted, rest * weights, of.blocks())
         size = np.maximum(size, np.linalg.norm(reduced, axis=0))
         size[size == 0.0] = 1.0
         before = cost
@@ -103,12 +109,21 @@ def _weights(residuals: Array, scale: float) -> Array:
     return np.asarray((1.0 + (residuals / scale) ** 2) ** -0.25)
 
 
-def _reduced(jacobian: Array, residuals: Array) -> tuple[Array, Array]:
+def _reduced(
+    jacobian: Array, residuals: Array, blocks: Sequence[tuple[slice, Sequence[int]]]
+) -> tuple[Array, Array]:
     """The same linear problem in k rows."""
     import numpy as np
 
-    reduced = triangle(np.column_stack([jacobian, residuals]))
     k = jacobian.shape[1]
+    found = []
+    for rows, columns in blocks:
+        both = np.column_stack([jacobian[rows][:, columns], residuals[rows]])
+        small = triangle(both)
+        spread = np.zeros((len(small), k + 1))
+        spread[:, [*columns, k]] = small
+        found.append(spread)
+    reduced = found[0] if len(found) == 1 else triangle(np.concatenate(found))
     return reduced[:, :k], reduced[:, k]
 
 

@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, NamedTuple
 
 from pendula import _engine
+from pendula.measured import accelerometer
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
@@ -60,6 +61,7 @@ READING = {
         Row("acceleration_offset", "m/s²"),
         Row("sensor_radius", "m", "", 1.0, SMALLEST),
         Row("gravity_seen", "", "", 0.0),  # 1 or 0, never fitted
+        Row("tilt", "rad"),
     ),
 }
 
@@ -69,7 +71,8 @@ class SingleModel:
     """One pendulum, seen as its angle, its rate or the radial acceleration of a point of it.
 
     angle: scale·θ + offset; rate: scale·ω + offset; acceleration: R (ω² + s ω0² cos θ) + offset,
-    s = 1 for a sensor that feels gravity, 0 for one that has taken it off.
+    s = 1 for a sensor that feels gravity, 0 for one that has taken it off, along the string or, by
+    the tilt, an axis off it.
 
     Attributes:
         quantity: "angle", "rate" or "acceleration".
@@ -103,14 +106,18 @@ class SingleModel:
         """
         return _Motion.of(t, self, values).states()
 
+    @property
+    def components(self) -> tuple[str, ...]:
+        """Names of its state."""
+        return ("theta", "omega")
+
     def seen(self, states: Array, values: Mapping[str, float]) -> Array:
         """What is measured of states (n, 2), (n, 1)."""
         import numpy as np
 
         theta, omega = states.T
         if self.quantity == "acceleration":
-            gravity = values["gravity_seen"] * values["omega0_squared"] * np.cos(theta)
-            shown = values["sensor_radius"] * (omega**2 + gravity)
+            shown = accelerometer.shown(states, values)
         else:
             shown = values["scale"] * (theta if self.quantity == "angle" else omega)
         return np.asarray((shown + values[self.offset])[:, np.newaxis])
@@ -128,24 +135,12 @@ class SingleModel:
         """
         import numpy as np
 
-        motion = _Motion.of(t, self, values)
-        inner = [name for name in columns if name in motion.columns]
-        derived = np.zeros((len(t), 2, len(columns)))
-        if inner:
-            derived[:, :, [columns.index(name) for name in inner]] = motion.derivatives(inner)
-        theta, omega = states.T
-        own: dict[str, Array] = {self.offset: np.ones(len(theta))}
+        derived = self.state_slopes(t, values, columns)
+        own: dict[str, Array] = {self.offset: np.ones(len(t))}
         if self.quantity == "acceleration":
-            radius, seen, square = (
-                values[name] for name in ("sensor_radius", "gravity_seen", "omega0_squared")
-            )
-            by_theta, by_omega = -seen * square * np.sin(theta), 2.0 * omega
-            found = (
-                by_theta[:, np.newaxis] * derived[:, 0] + by_omega[:, np.newaxis] * derived[:, 1]
-            )
-            found *= radius
-            own["sensor_radius"] = omega**2 + seen * square * np.cos(theta)
-            own["omega0_squared"] = radius * seen * np.cos(theta)
+            by_state, others = accelerometer.derived(states, values)
+            found = np.einsum("nd,ndk->nk", by_state, derived)
+            own |= others
         else:
             i = 0 if self.quantity == "angle" else 1
             found = values["scale"] * derived[:, i]
@@ -153,6 +148,17 @@ class SingleModel:
         for place, name in enumerate(columns):
             found[:, place] += own.get(name, 0.0)
         return np.asarray(found[:, np.newaxis])
+
+    def state_slopes(self, t: Array, values: Mapping[str, float], columns: Sequence[str]) -> Array:
+        """Derivatives of the states by some of the parameters, (n, 2, k)."""
+        import numpy as np
+
+        motion = _Motion.of(t, self, values)
+        inner = [name for name in columns if name in motion.columns]
+        derived = np.zeros((len(t), 2, len(columns)))
+        if inner:
+            derived[:, :, [columns.index(name) for name in inner]] = motion.derivatives(inner)
+        return derived
 
     def roughly(self) -> SingleModel:
         """The same, computed with fewer digits."""

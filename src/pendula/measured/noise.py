@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from pendula._types import Array
 
 _FLAT = 1e-10  # of the largest singular value: a direction that the data do not tell
+_NOTHING = 1e-20  # a power of the autocorrelation that no sum of a record shows
 _LARGEST = 5.3  # atanh of the autocorrelation that is looked for, 0.99995
 
 
@@ -98,7 +99,7 @@ def noise_of(series: Series) -> Noise:
     return Noise(
         rho,
         left / likelihood.freedom,
-        max(1.0 / math.sqrt(bend), least) if bend > 0.0 else 1.0,
+        min(max(1.0 / math.sqrt(bend), least), 1.0) if bend > 0.0 else 1.0,
         likelihood.freedom,
     )
 
@@ -184,16 +185,19 @@ def filtered(series: Series, rho: float, variance: float) -> Array:
     """Jᵀ V J, (k, k), with the covariance V = variance ρ^|distance| of the noise."""
     import numpy as np
 
-    n = int(series.places[-1]) + 1
-    padded = 1 << (2 * n - 1).bit_length()
-    spread = np.zeros((n, series.jacobian.shape[1]))
-    spread[series.places] = series.jacobian
-    lags = np.minimum(np.arange(padded), padded - np.arange(padded))
-    kernel = np.fft.rfft(float(rho) ** lags if rho else (lags == 0) * 1.0)
-    smooth = np.fft.irfft(
-        np.fft.rfft(spread, padded, axis=0) * kernel[:, np.newaxis], padded, axis=0
-    )
-    return variance * products(series.jacobian, smooth[series.places])
+    spread = np.zeros((series.jacobian.shape[1], int(series.places[-1]) + 1))
+    spread[:, series.places] = series.jacobian.T
+    both = _decayed(spread, rho) + _decayed(spread[:, ::-1], rho)[:, ::-1] - spread
+    return variance * products(series.jacobian, both[:, series.places].T)
+
+
+def _decayed(rows: Array, rho: float) -> Array:
+    """Σ ρ^l of each row's value l places before, by Σ ρ^l z^l = (1 + ρz)(1 + ρ²z²) …; (k, n)."""
+    found, power, far = rows.copy(), rho, 1
+    while far < rows.shape[1] and abs(power) > _NOTHING:
+        found[:, far:] += power * found[:, :-far]
+        power, far = power * power, 2 * far
+    return found
 
 
 def blocks(series: Series, count: int) -> Array:

@@ -101,7 +101,7 @@ def amplitude_excess(amplitude: Array) -> Array:
     """T/T0 − 1 of a swing of that amplitude [rad], θ0²/16 for a small one."""
     import numpy as np
 
-    # T = 4 K(k)/ω0 with k = sin(θ0/2): Nelson & Olsson (1986), eq. 7; DLMF 22.19(i)
+    # T = 4 K(k)/ω0 with k = sin(θ0/2): Nelson & Olsson (1986); DLMF 22.19(i)
     found: Array = np.asarray(2.0 / math.pi * elliptic.K(np.sin(amplitude / 2.0)) - 1.0)
     return found
 

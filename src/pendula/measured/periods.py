@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from pendula.measured.measurement import PeriodTable
     from pendula.measured.period_checks import CheckedTable
 
-LAW = 1.0 / 16.0  # T/T0 = 1 + θ0²/16 + … (Nelson & Olsson 1986, eq. 8)
+LAW = 1.0 / 16.0  # T/T0 = 1 + θ0²/16 + … (Nelson & Olsson 1986, finite amplitude)
 _TWO_SIGMA = 0.9544997361036416  # what ± 2 σ of a normal distribution hold
 _DIFFERENT = 0.05  # scatter about the law that chance makes less often is no chance
 _REJECTED = 0.01  # the law is rejected where chance alone is less likely than that

@@ -46,6 +46,7 @@ class Plan:
     uncertainty: str = "corrected"
     seed: int = 0
     windows: float | None = None
+    continuity: float = 1.0
     tolerance: float = 0.1
 
     @property
@@ -84,7 +85,8 @@ class Plan:
 
     def _double_recipe(self) -> dict[str, Any]:
         """The arguments that a double pendulum alone has."""
-        return {} if self.bodies == 1 else {"windows": self.windows, "tolerance": self.tolerance}
+        names = ("windows", "continuity", "tolerance")
+        return {} if self.bodies == 1 else {name: getattr(self, name) for name in names}
 
     def sensor(self, measurement: Measurement) -> dict[str, float]:
         """What is known of an accelerometer: whether it feels gravity, and how far out it is.
@@ -116,6 +118,7 @@ class Plan:
             if self.model.quantity == "acceleration":
                 known = self.sensor(recordings[0].measurement)
                 seen = ("sensor_radius",) if "sensor_radius" not in known else seen
+                seen = seen if known["gravity_seen"] else (*seen, "tilt")
                 fixed = {**known, **fixed}
             names = ("theta", "omega", "omega0_squared", *self.frictions, *seen)
         else:
@@ -167,6 +170,7 @@ def planned(measurement: Any, system: Any, **given: Any) -> tuple[Plan, tuple[Sa
         ),
         seed=whole("seed", given.get("seed", 0)),
         windows=_seconds(given.get("windows")),
+        continuity=positive_number("continuity", given.get("continuity", 1.0), zero=True),
         tolerance=positive_number("tolerance", given.get("tolerance", 0.1), "rad"),
     )
     return plan, tuple(asked.sampled(each, t) for each in measurements)

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 from typing import TYPE_CHECKING, Protocol
 
+from pendula.measured.joints import gap_blocks, gap_slopes, gaps, run_times
 from pendula.measured.least_squares import MOST_STEPS, least_squares
 
 if TYPE_CHECKING:
@@ -19,8 +21,10 @@ if TYPE_CHECKING:
     from pendula.measured.model import Row
     from pendula.systems import System
 
-_FINE = 1e-10, MOST_STEPS  # relative change of the sum of squares, and steps, where it ends
-_ROUGH = 1e-3, 10
+# relative change of the sum of squares, and steps, where least squares end
+FINE = 1e-10, MOST_STEPS
+CLOSE = 1e-3, 10
+ROUGH = 3e-2, 5  # a start for another: of a model that is not the truth little is gained by more
 _LOST = 1e6  # a residual where the motion is not finite
 
 
@@ -36,6 +40,13 @@ class Model(Protocol):
 
     def seen(self, states: Array, values: Mapping[str, float]) -> Array:
         """What is measured of states (n, d), (n, m)."""
+
+    @property
+    def components(self) -> tuple[str, ...]:
+        """Names of its state, (d,)."""
+
+    def state_slopes(self, t: Array, values: Mapping[str, float], columns: Sequence[str]) -> Array:
+        """Derivatives of the states by some of the parameters, (n, d, k)."""
 
     def slopes(
         self, t: Array, states: Array, values: Mapping[str, float], columns: Sequence[str]
@@ -63,7 +74,7 @@ class Sampled:
     t: Array
     values: Array
 
-    @property
+    @cached_property
     def there(self) -> NDArray[np.bool_]:
         """Which values are there, (n, m)."""
         import numpy as np
@@ -87,6 +98,7 @@ class Problem:
         constants: values of those that are not fitted.
         free_signs: friction may be negative.
         limits: least and largest values by name, in place of what is physical.
+        joints: weights of a gap's components, (d,), where the recordings are windows that join.
         kept: states of the last parameters, by their bytes.
     """
 
@@ -97,9 +109,10 @@ class Problem:
     constants: Mapping[str, float]
     free_signs: bool = False
     limits: Mapping[str, tuple[float, float]] = field(default_factory=dict)
+    joints: tuple[float, ...] = ()
     kept: dict[bytes, list[Array]] = field(default_factory=dict, init=False, repr=False)
 
-    @property
+    @cached_property
     def names(self) -> tuple[str, ...]:
         """Names of what is fitted, (k,); with the recording's number where it is its own."""
         several = len(self.recordings) > 1
@@ -120,11 +133,14 @@ class Problem:
 
     def places(self, i: int) -> list[int]:
         """Where the free parameters of recording i stand among the names."""
-        names = self.names
-        numbered = (f"{name}[{i + 1}]" for name in self.free)
+        return self._places[i]
+
+    @cached_property
+    def _places(self) -> list[list[int]]:
+        at = {name: j for j, name in enumerate(self.names)}
         return [
-            names.index(name if name in names else number)
-            for name, number in zip(self.free, numbered, strict=True)
+            [at[name] if name in at else at[f"{name}[{i + 1}]"] for name in self.free]
+            for i in range(len(self.recordings))
         ]
 
     def bounds(self) -> tuple[Array, Array]:
@@ -144,11 +160,19 @@ class Problem:
     def values(self, i: int, x: Array) -> dict[str, float]:
         """All parameters of recording i by name."""
         fitted = {name: float(x[j]) for name, j in zip(self.free, self.places(i), strict=True)}
-        standard = {row.name: row.standard for row in self.model.rows}
-        return {**standard, **self.constants, **fitted}
+        return {**self._held, **fitted}
+
+    @cached_property
+    def _held(self) -> dict[str, float]:
+        return {**{row.name: row.standard for row in self.model.rows}, **self.constants}
 
     def states(self, x: Array) -> list[Array]:
-        """Of the motion of each recording, (n, d); NaN where it is not finite.
+        """Of the motion of each recording, (n, d); NaN where it is not finite."""
+        runs = zip(self.runs(x), self.recordings, strict=True)
+        return [run[: len(each.t)] for run, each in runs]
+
+    def runs(self, x: Array) -> list[Array]:
+        """The same, of windows that join to the start of the next, (n + 1, d).
 
         Those of the last parameters are kept: the derivatives are asked for next.
         """
@@ -156,10 +180,14 @@ class Problem:
         if key not in self.kept:
             self.kept.clear()
             self.kept[key] = [
-                self.model.states(each.t, self.values(i, x))
-                for i, each in enumerate(self.recordings)
+                self.model.states(t, self.values(i, x)) for i, t in enumerate(self.times)
             ]
         return self.kept[key]
+
+    @cached_property
+    def times(self) -> list[Array]:
+        """Of the runs, (n,) or (n + 1,) each."""
+        return run_times(self.recordings, joined=bool(self.joints))
 
     def predicted(self, x: Array) -> list[Array]:
         """Of each recording, (n, m)."""
@@ -172,9 +200,10 @@ class Problem:
         import numpy as np
 
         parts = zip(self.predicted(x), self.recordings, strict=True)
-        found = np.concatenate([(p - r.values).T[r.there.T] for p, r in parts])
-        found[~np.isfinite(found)] = _LOST
-        return found
+        found = [(p - r.values).T[r.there.T] for p, r in parts]
+        if self.joints:
+            found += list(gaps(self, x) * np.array(self.joints))
+        return np.nan_to_num(np.concatenate(found), nan=_LOST, posinf=_LOST, neginf=_LOST)
 
     def jacobian(self, x: Array) -> Array:
         """Derivatives of the residuals, (N, k)."""
@@ -186,9 +215,18 @@ class Problem:
             slopes = self.model.slopes(each.t, states, self.values(i, x), self.free)
             block[:, self.places(i)] = slopes.transpose(1, 0, 2)[each.there.T]
             blocks.append(block)
-        found = np.concatenate(blocks)
+        found = np.concatenate([*blocks, *(gap_slopes(self, x) if self.joints else [])])
         found[~np.isfinite(found).all(axis=1)] = 0.0
         return found
+
+    def blocks(self) -> list[tuple[slice, list[int]]]:
+        """Rows of the derivatives that belong to each recording, and its columns."""
+        found, begin = [], 0
+        for i, each in enumerate(self.recordings):
+            end = begin + int(each.there.sum())
+            found.append((slice(begin, end), self.places(i)))
+            begin = end
+        return [*found, *(gap_blocks(self, begin) if self.joints else [])]
 
     def of(self, recordings: Sequence[Sampled]) -> Problem:
         """The same of other samples."""
@@ -206,8 +244,13 @@ class Problem:
 
     def thinned(self, most: int) -> Problem:
         """The same of about so many samples a recording at most, computed roughly."""
-        fewer = [each.taken(slice(None, None, -(-len(each.t) // most))) for each in self.recordings]
-        return replace(self, recordings=tuple(fewer), model=self.model.roughly())
+        return replace(self.sparser(most), model=self.model.roughly())
+
+    def sparser(self, most: int) -> Problem:
+        """The same of about so many samples a recording at most."""
+        return self.of(
+            [each.taken(slice(None, None, -(-len(each.t) // most))) for each in self.recordings]
+        )
 
 
 @dataclass(frozen=True, eq=False)
@@ -226,7 +269,7 @@ class Optimum:
 
 
 def minimise(
-    problem: Problem, start: Array, *, robust: bool = False, rough: bool = False
+    problem: Problem, start: Array, *, robust: bool = False, until: tuple[float, int] = FINE
 ) -> Optimum:
     """Least squares from a start, within the bounds.
 
@@ -234,16 +277,19 @@ def minimise(
         problem: what is to be fitted.
         start: (k,), moved into the bounds where it lies outside.
         robust: residuals beyond two standard deviations count less (soft_l1).
-        rough: end soon: the optimum is a start for another.
+        until: relative change of the sum of squares, and steps, at which it ends.
     """
     import numpy as np
 
     lower, upper = problem.bounds()
     x = np.clip(start, lower, upper)
     scale = _spread(problem.residuals(x)) if robust else 0.0
-    precision, most = _ROUGH if rough else _FINE
+    precision, most = until
     x, cost = least_squares(problem, x, lower, upper, precision, scale, most)
-    return Optimum(problem.names, x, math.sqrt(cost / len(problem.residuals(x))))
+    count = sum(int(each.there.sum()) for each in problem.recordings)
+    if problem.joints:
+        cost = float(np.sum(problem.residuals(x)[:count] ** 2))
+    return Optimum(problem.names, x, math.sqrt(cost / count))
 
 
 def _spread(residuals: Array) -> float:

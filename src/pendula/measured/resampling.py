@@ -6,10 +6,13 @@ import math
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
+from pendula.measured.errors import correlation_of
 from pendula.measured.least_squares import least_squares
 from pendula.measured.problem import Optimum, Problem, Sampled, minimise
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     import numpy as np
 
     from pendula._types import Array
@@ -46,7 +49,10 @@ def with_other_errors(
         covariance = errors.covariance * np.outer(ratio, ratio)
     standard = np.sqrt(np.maximum(np.diagonal(covariance), 0.0))
     kinds = {**errors.kinds, kind: standard}
-    return replace(errors, covariance=covariance, standard=standard, kinds=kinds)
+    correlation = correlation_of(covariance)
+    return replace(
+        errors, covariance=covariance, standard=standard, kinds=kinds, correlation=correlation
+    )
 
 
 def _drawn(problem: Problem, best: Optimum, errors: Errors, seed: int) -> Array:
@@ -132,6 +138,10 @@ class _Held:
         import numpy as np
 
         return np.delete(self.problem.jacobian(self.whole(x)), self.j, axis=1)
+
+    def blocks(self) -> Sequence[tuple[slice, Sequence[int]]]:
+        """All of them as one."""
+        return [(slice(None), range(len(self.problem.names) - 1))]
 
     def least(self, x: Array) -> float:
         """Root mean square of the residuals at the optimum."""

@@ -7,10 +7,11 @@ from dataclasses import replace
 from itertools import pairwise
 from typing import TYPE_CHECKING
 
+from pendula.measured.bounded import within_bounds
 from pendula.measured.derived import derived_of
 from pendula.measured.errors import Errors, errors_of
 from pendula.measured.fitted import Fit, FittedRecording
-from pendula.measured.problem import Optimum, Problem, minimise
+from pendula.measured.problem import CLOSE, Optimum, Problem, minimise
 from pendula.measured.resampling import with_other_errors
 from pendula.measured.starts import MOST
 from pendula.measured.words import Note
@@ -40,7 +41,8 @@ def result_of(plan: Plan, problem: Problem, best: Optimum, viscous: float) -> Fi
     """
     errors = errors_of(problem, best.x)
     errors = with_other_errors(problem, best, errors, plan.uncertainty, plan.seed)
-    correlation = _correlation(errors.covariance)
+    if plan.uncertainty == "corrected" and not plan.robust:
+        errors = within_bounds(problem, best.x, errors)
     derived = _derived(plan, problem, best.x, errors.covariance)
     samples = sum(int(each.there.sum()) for each in problem.recordings)
     worth = errors.effective * math.log(best.rms**2)
@@ -54,14 +56,14 @@ def result_of(plan: Plan, problem: Problem, best: Optimum, viscous: float) -> Fi
         plain_standard_errors=errors.plain,
         error_kinds=errors.kinds,
         covariance=errors.covariance,
-        correlation=correlation,
+        correlation=errors.correlation,
         recordings=tuple(_recordings(problem, best, errors)),
         rms=best.rms,
         n_samples=samples,
         n_effective=errors.effective,
         at_bounds=bounds,
         unphysical=unphysical,
-        not_told_apart=_alike(best.names, correlation, derived, errors),
+        not_told_apart=_alike(best.names, errors.correlation, derived, errors),
         derived=derived,
         aic=worth + 2.0 * len(best.x),
         bic=worth + math.log(errors.effective) * len(best.x),
@@ -81,13 +83,6 @@ def _derived(plan: Plan, problem: Problem, x: Array, covariance: Array) -> dict[
     own = covariance[np.ix_(places, places)]
     values = problem.values(0, x)
     return derived_of(problem.free, values, own, plan.length, plan.gravity)
-
-
-def _correlation(covariance: Array) -> Array:
-    import numpy as np
-
-    scale = np.sqrt(np.maximum(np.diagonal(covariance), 1e-300))
-    return np.asarray(covariance / np.outer(scale, scale))
 
 
 def _at_bounds(problem: Problem, best: Optimum) -> tuple[tuple[str, ...], tuple[str, ...]]:
@@ -149,7 +144,7 @@ def _quarters(problem: Problem, best: Optimum, i: int, states: Array) -> Array:
     for quarter, (begin, end) in enumerate(pairwise(edges.tolist())):
         part = problem.of([recording.taken(slice(begin, end))]).thinned(MOST)
         begun = {**values, "theta": states[begin, 0], "omega": states[begin, 1]}
-        found = minimise(part, np.array([begun[name] for name in part.names]), rough=True)
+        found = minimise(part, np.array([begun[name] for name in part.names]), until=CLOSE)
         whole[quarter, places] = found.x
     return whole
 
@@ -190,8 +185,7 @@ def _notes(made: Fit, errors: Errors, viscous: float) -> list[Note]:
                 },
             )
         )
-    told = np.isfinite(errors.standard)
-    if (errors.standard > 1.001 * errors.kinds["autocorrelation"])[told].any():
+    if errors.structured:
         notes.append(Note("structured", {"rms": made.rms, "unit": unit}))
     worth = made.n_effective
     if 2.0 * worth * math.log(made.rms / viscous) - math.log(worth) > _STRONG:

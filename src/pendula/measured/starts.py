@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING
 
-from pendula.measured.problem import Optimum, Problem, Sampled, minimise
+from pendula.measured.problem import ROUGH, Optimum, Problem, Sampled, minimise
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -35,9 +35,11 @@ def first_window(
     """
     import numpy as np
 
-    names = ("theta", "omega", "omega0_squared", "viscous", model.offset)
+    names: tuple[str, ...] = ("theta", "omega", "omega0_squared", "viscous", model.offset)
     if model.quantity == "acceleration" and "sensor_radius" not in constants:
         names = (*names[:-1], "sensor_radius")
+    if model.quantity == "acceleration" and not constants["gravity_seen"]:
+        names = (*names, "tilt")
     free = tuple(name for name in names if name not in constants)
     problem = Problem(model, (sampled,), free, (), constants)
     frequency = main_frequency(sampled)
@@ -53,7 +55,7 @@ def first_window(
         turns = np.ptp(sampled.values[sampled.there[:, 0]]) > 2.0 * math.pi
         guesses.insert(0 if turns else len(guesses), _by_energy(sampled, constants))
     for guess in guesses:
-        found = minimise(first, np.array([guess[name] for name in first.names]), rough=True)
+        found = minimise(first, np.array([guess[name] for name in first.names]), until=ROUGH)
         if best is None or found.rms < best.rms:
             best = found
         if best.rms < _POOR * spread:
@@ -133,6 +135,7 @@ def _by_acceleration(
         "viscous": 0.01 * frequency,
         "sensor_radius": radius,
         "acceleration_offset": 0.0,
+        "tilt": 0.0,
     }
 
 

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 @with_promised
 class Storable:
-    """A recording, a table of periods, or a fit of either."""
+    """A recording, a table of periods, a fit of either, or a comparison of models."""
 
     if TYPE_CHECKING:  # attached by the module that defines them
 

@@ -54,7 +54,7 @@ class SystemModel:
         if self.bodies == 2:
             seen = tuple(Row(name, "rad") for name in OFFSETS)
         else:
-            seen = READING[self.quantity]
+            seen = tuple(row for row in READING[self.quantity] if row.name != "tilt")
         return (*start, *own, *seen, Row(TIME_OFFSET, "s"))
 
     @property
@@ -101,20 +101,39 @@ class SystemModel:
         """See `SingleModel.slopes`; (n, m, k)."""
         import numpy as np
 
-        everything = names_derived_by(self.known.name, self.known.form)
-        inner = [name for name in columns if name in everything]
-        derived = np.zeros((*states.shape, len(columns)))
-        if inner:
-            places = [everything.index(name) for name in inner]
-            derived[..., [columns.index(name) for name in inner]] = self._run(t, values, places)
-        if TIME_OFFSET in columns:
-            derived[..., columns.index(TIME_OFFSET)] = -self._rates(t, states, values)
+        derived = self.state_slopes(t, values, columns, states)
         by_state, own = self._seen_by(states, values)
         found = np.einsum("nmd,ndk->nmk", by_state, derived)
         for place, name in enumerate(columns):
             if name in own:
                 found[..., place] += own[name]
         return np.asarray(found)
+
+    @property
+    def components(self) -> tuple[str, ...]:
+        """Names of its state."""
+        return tuple(self.known.components)
+
+    def state_slopes(
+        self,
+        t: Array,
+        values: Mapping[str, float],
+        columns: Sequence[str],
+        states: Array | None = None,
+    ) -> Array:
+        """Derivatives of the states by some of the parameters, (n, d, k)."""
+        import numpy as np
+
+        everything = names_derived_by(self.known.name, self.known.form)
+        inner = [name for name in columns if name in everything]
+        derived = np.zeros((len(t), len(self.components), len(columns)))
+        if inner:
+            places = [everything.index(name) for name in inner]
+            derived[..., [columns.index(name) for name in inner]] = self._run(t, values, places)
+        if TIME_OFFSET in columns:
+            moved = self.states(t, values) if states is None else states
+            derived[..., columns.index(TIME_OFFSET)] = -self._rates(t, moved, values)
+        return derived
 
     def system(self, values: Mapping[str, float]) -> System | None:
         """The system with these values, by the recording's clock; None: one is unphysical."""

@@ -6,9 +6,11 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, cast
 
 from pendula.measured.begun import Begun
+from pendula.measured.driven_start import driven_values
 from pendula.measured.ladder import grown
-from pendula.measured.model import FRICTIONS, SingleModel
-from pendula.measured.problem import Optimum, Problem, minimise
+from pendula.measured.model import DRIVE, FRICTIONS, SingleModel
+from pendula.measured.problem import CLOSE, Optimum, Problem, minimise
+from pendula.measured.starts import MOST
 from pendula.measured.system_model import TIME_OFFSET, SystemModel, inertia_and_pull
 
 if TYPE_CHECKING:
@@ -33,8 +35,7 @@ def system_optimum(plan: Plan, recordings: tuple[Sampled, ...]) -> tuple[Problem
     model = _as_model(plan, problem, own)
     begun = Begun(model, recordings)
     if driven:
-        start = _Translation(plan, problem, own, begun.first, []).start()
-        best = minimise(problem, grown(problem, start, begun.length, robust=plan.robust).x)
+        best = _driven_optimum(plan, problem, own, begun)
         return problem, best, best.rms
     as_model = model.problem(recordings)
     found = begun.best(model, as_model)
@@ -50,6 +51,24 @@ def system_optimum(plan: Plan, recordings: tuple[Sampled, ...]) -> tuple[Problem
         damped = replace(model, frictions=("viscous",))
         viscous = begun.best(damped, damped.problem(recordings)).rms
     return problem, best, viscous
+
+
+def _driven_optimum(
+    plan: Plan, problem: Problem, own: Mapping[str, float], begun: Begun
+) -> Optimum:
+    """The better of the optima from the system's own values and from what the record says."""
+    start = _Translation(plan, problem, own, begun.first, []).start()
+    ends = [grown(problem, start, begun.length, robust=plan.robust)]
+    if "torque" in own and {*DRIVE} & {*problem.free} and plan.model.quantity == "angle":
+        known = dict(problem.constants)
+        if "drive_frequency" not in problem.free:
+            known["drive_frequency"] = own["drive_frequency"]
+        said = driven_values(problem.recordings[0], known)
+        start = _Translation(plan, problem, own, said, [], driven=True).start()
+        whole = problem.thinned(MOST)
+        ends.append(minimise(whole, start, robust=plan.robust, until=CLOSE))
+    best = min(ends, key=lambda end: end.rms)
+    return minimise(problem, best.x, robust=plan.robust)
 
 
 def _own_values(plan: Plan) -> dict[str, float]:
@@ -111,6 +130,7 @@ class _Translation:
         own: the system's values.
         found: the model's values, by name.
         states: of the model's motion at the samples of each recording; none: not needed.
+        driven: the drive is among the model's values.
     """
 
     plan: Plan
@@ -118,6 +138,7 @@ class _Translation:
     own: Mapping[str, float]
     found: Mapping[str, float]
     states: list[Array]
+    driven: bool = False
 
     def start(self) -> Array:
         """Values of the system's problem, (k,)."""
@@ -141,7 +162,7 @@ class _Translation:
         mark = f"[{i + 1}]"
         found = {**self.found}
         found |= {n.removesuffix(mark): x for n, x in self.found.items() if n.endswith(mark)}
-        if not self.states:  # driven: the start alone is taken, the rest is the system's own
+        if not self.states and not self.driven:  # the rest is the system's own
             names = {"theta", "omega", *self.problem.model.offsets}  # type: ignore[attr-defined]
             return {**self.own, **{n: x for n, x in found.items() if n in names}}
         own = dict(self.own)
@@ -153,6 +174,9 @@ class _Translation:
         own |= {name: found[name] * inertia for name in FRICTIONS if name in found}
         if "q" in own:
             own["q"] = 1.0 / max(found.get("viscous", 0.0), 1e-9)
+        if self.driven:
+            drive = {name: found[name] for name in DRIVE if name in own}
+            return {**found, **own, **drive, "torque": found["torque"] * inertia}
         return {**found, **own, **self._turned(i)}
 
     def _turned(self, i: int) -> dict[str, float]:

@@ -7,11 +7,12 @@ from dataclasses import replace
 from itertools import pairwise
 from typing import TYPE_CHECKING
 
-from pendula.measured.double_model import DoubleModel
-from pendula.measured.double_start import first_values
+from pendula.measured.double_model import STATE, DoubleModel
+from pendula.measured.double_start import first_values, quickness
 from pendula.measured.fitted import Horizon
-from pendula.measured.problem import Optimum, Problem, Sampled, minimise
-from pendula.measured.starts import MOST, main_frequency
+from pendula.measured.joints import gaps
+from pendula.measured.problem import CLOSE, Optimum, Problem, Sampled, minimise
+from pendula.measured.starts import MOST
 from pendula.measured.system_model import SystemModel
 
 if TYPE_CHECKING:
@@ -24,16 +25,23 @@ _FIRST = 0.75  # periods of the main oscillation: the first window
 _GROWS = 1.6  # times as long is the next
 _LOST = 0.1  # rad: residuals of a window that is not followed to its end
 _SHORTEST = 100.0  # samples of a window
+_FEWEST = 20.0  # samples of the first part of one
+_MOST_STRETCHED = 1e3  # times a start's change grows in a window: beyond, minima are too many
 
 
-def shot(problem: Problem, *, robust: bool = False) -> tuple[Problem, Optimum]:
-    """The optimum of windows that each have a start of their own.
+def shot(
+    problem: Problem, *, continuity: float = 1.0, robust: bool = False
+) -> tuple[Problem, Optimum]:
+    """The optimum of windows that each have a start of their own, and join.
+
+    First they are fitted each from its own start, then with the gaps between them as residuals.
 
     A window is fitted from its beginning in longer and longer parts. Where all of one recording is
     not followed, it is cut into windows as long as the part that was.
 
     Args:
         problem: of one recording, or of windows of it.
+        continuity: how much a gap counts, as parts of the samples of a window; 0: not at all.
         robust: as for `minimise`.
 
     Returns:
@@ -45,27 +53,56 @@ def shot(problem: Problem, *, robust: bool = False) -> tuple[Problem, Optimum]:
     first = problem.of([whole])
     best, followed = _grown(first, robust=robust)
     if len(problem.recordings) == 1:
-        if followed >= float(whole.t[-1] - whole.t[0]):
+        if followed >= _span(whole):
             return problem, minimise(problem, best, robust=robust)
         problem = problem.of(cut(whole, followed))
     known = dict(zip(first.names, best.tolist(), strict=True))
+    shortest = 2.0 * _SHORTEST * float(np.median(np.diff(whole.t)))
     start, lost = _starts(problem, known, robust=robust)
-    while lost and followed > _SHORTEST * float(np.median(np.diff(whole.t))):
-        followed *= 0.5
-        problem = problem.of([part for each in problem.recordings for part in cut(each, followed)])
+    while lost:
+        parts = [
+            cut(each, 0.5 * _span(each)) if i in lost and _span(each) > shortest else [each]
+            for i, each in enumerate(problem.recordings)
+        ]
+        if sum(map(len, parts)) == len(parts):
+            break
+        problem = problem.of([part for each in parts for part in each])
         start, lost = _starts(problem, known, robust=robust)
     begin = np.array([start[name] for name in problem.names])
-    return problem, minimise(problem, begin, robust=robust)
+    apart = minimise(problem, begin, robust=robust)
+    if not continuity:
+        return problem, apart
+    joined = replace(problem, joints=_weights(problem, whole, continuity))
+    return joined, minimise(joined, apart.x, robust=robust)
+
+
+def _weights(problem: Problem, whole: Sampled, continuity: float) -> tuple[float, ...]:
+    """Of gaps in angles and, over the frequency of the motion, in rates."""
+    samples = continuity * sum(len(each.t) for each in problem.recordings)
+    angle = math.sqrt(samples / len(problem.recordings))
+    rate = angle / quickness(whole)
+    return (angle, angle, rate, rate)
+
+
+def windows_told(problem: Problem, x: Array) -> dict[str, float | str]:
+    """How many windows there are, how long [s], and the largest gap between two [rad]."""
+    import numpy as np
+
+    lengths = [_span(each) for each in problem.recordings]
+    ends = {"shortest": min(lengths), "longest": max(lengths)}
+    apart = gaps(replace(problem, joints=(1.0,) * 4), x)[:, :2]
+    return {"count": str(len(lengths)), **ends, "gap": float(np.abs(apart).max())}
 
 
 def _starts(
     problem: Problem, known: Mapping[str, float], *, robust: bool
-) -> tuple[dict[str, float], bool]:
-    """Parameters of each window, what they share as known; and whether one was not followed."""
-    start, lost = dict(known), False
+) -> tuple[dict[str, float], set[int]]:
+    """Parameters of each window, what they share as known; and which were not followed."""
+    start, lost = dict(known), set[int]()
     for i, each in enumerate(problem.recordings):
         own, followed = _grown(_held(problem, known).of([each]), robust=robust)
-        lost = lost or followed < float(each.t[-1] - each.t[0])
+        if followed < _span(each):
+            lost.add(i)
         mark = f"[{i + 1}]" if len(problem.recordings) > 1 else ""
         start |= {f"{n}{mark}": x for n, x in zip(_own(problem), own.tolist(), strict=True)}
     return start, lost
@@ -75,11 +112,16 @@ def cut(recording: Sampled, length: float) -> list[Sampled]:
     """Windows of a recording, all nearly as long as asked [s]."""
     import numpy as np
 
-    span = float(recording.t[-1] - recording.t[0])
+    span = _span(recording)
     count = max(math.ceil(span / length - 1e-9), 1)
     edges = recording.t[0] + span * np.arange(1, count) / count
     places = [0, *np.searchsorted(recording.t, edges).tolist(), len(recording.t)]
     return [recording.taken(slice(begin, end)) for begin, end in pairwise(places)]
+
+
+def _span(recording: Sampled) -> float:
+    """How long a recording is [s]."""
+    return float(recording.t[-1] - recording.t[0])
 
 
 def _own(problem: Problem) -> list[str]:
@@ -100,20 +142,35 @@ def _grown(problem: Problem, *, robust: bool) -> tuple[Array, float]:
     import numpy as np
 
     recording = problem.recordings[0]
-    span = float(recording.t[-1] - recording.t[0])
+    span = _span(recording)
     assert isinstance(problem.model, DoubleModel | SystemModel)
     known = {row.name: row.standard for row in problem.rows()}
     known |= first_values(recording, {**problem.constants, **problem.model.shape})
     x = np.array([known[name] for name in problem.names])
-    length, followed = _FIRST * 2.0 * math.pi / main_frequency(recording), 0.0
+    length, followed = _FIRST * 2.0 * math.pi / quickness(recording), 0.0
+    shortest = _FEWEST * float(np.median(np.diff(recording.t)))
     while followed < span:
         length = min(length, span)
-        found = minimise(problem.within(length).thinned(MOST), x, robust=robust, rough=True)
-        if found.rms > _LOST and followed > 0.0:
+        part = problem.within(length).sparser(MOST)
+        found = minimise(part, x, robust=robust, until=CLOSE)
+        if found.rms <= _LOST:
+            x, followed = found.x, length
+            if _stretched(part, x) > _MOST_STRETCHED:
+                break
+            length *= _GROWS
+        elif followed == 0.0 and length > shortest:
+            length *= 0.5
+        else:
             break
-        x, followed = found.x, length
-        length *= _GROWS
     return x, followed
+
+
+def _stretched(problem: Problem, x: Array) -> float:
+    """How many times a change of the first angles has grown in one recording, at most."""
+    import numpy as np
+
+    columns = [problem.names.index(name) for name in STATE[:2] if name in problem.names]
+    return float(np.abs(problem.jacobian(x)[:, columns]).max(initial=0.0))
 
 
 def horizon_of(made: Fit, whole: Sampled, tolerance: float) -> Horizon | None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 import tomllib
 from dataclasses import dataclass, field
 from functools import cache
@@ -16,6 +17,7 @@ if TYPE_CHECKING:
 
 LANGUAGES = ("en", "es")
 _MINUS = "−"
+_NUMBER = re.compile(r"\d+\.\d+")
 
 
 @dataclass(frozen=True)
@@ -63,6 +65,8 @@ def _shown(value: object, words: Mapping[str, Mapping[str, str]]) -> str:
         return "∞"
     if isinstance(value, float):
         return f"{value:.3g}".replace("-", _MINUS).replace(".", words["lists"]["decimal"])
+    if _NUMBER.fullmatch(str(value)):  # with all the digits that are to be shown
+        return str(value).replace(".", words["lists"]["decimal"])
     return " + ".join(_name(part, words["names"]) for part in str(value).split(" + "))
 
 

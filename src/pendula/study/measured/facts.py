@@ -11,6 +11,7 @@ import numpy as np
 from pendula.measured.rounding import with_uncertainty
 from pendula.measured.whole_swings import periods_at
 from pendula.measured.words import worded
+from pendula.measured.words.reading import reading_note
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -35,14 +36,16 @@ def measured_facts(
     fit = results.fit
     measurement = fit.measurement
     times = fit.t
+    end = fit.recordings[-1 if measurement.bodies == 2 else 0].t[-1]  # windows of one recording
     return {
-        "source": _source(measurement),
+        "source": _source(measurement, words.language),
         "further": _further(fit),
         "quantity": catalog["measured"].get(measurement.quantity, measurement.quantity),
         "bodies": measurement.bodies,
-        "samples": numbers.fixed(fit.n_samples, 0),
+        "samples": numbers.fixed(fit.n_samples / measurement.bodies, 0),
+        "numbers": numbers.fixed(fit.n_samples, 0),
         "effective": numbers.plain(fit.n_effective, 3),
-        "span": numbers.plain(float(times[-1] - times[0])),
+        "span": numbers.plain(float(end - times[0])),
         "spacing": _spacing(times, numbers),
         "model": worded(fit.model, words.language),
         "values": value_rows(fit, words.language, catalog),
@@ -66,7 +69,7 @@ def period_facts(
 ) -> dict[str, Any]:
     """Everything the text about a table of periods reads, as JSON-able data."""
     return {
-        "source": _source(fit.table),
+        "source": _source(fit.table, language),
         "law": fit.law,
         "rows": len(fit.fitted),
         "values": period_rows(fit, language, catalog),
@@ -79,8 +82,13 @@ def period_facts(
 
 
 def value_rows(fit: Fit, language: str, catalog: Mapping[str, Any]) -> list[list[str]]:
-    """Name and rounded value of everything that was fitted, and of what follows from it."""
-    fitted = [(name, fit[name]) for name in fit.names]
+    """Name and rounded value of what was fitted, and of what follows from it.
+
+    Of a double pendulum's windows the first one's start alone.
+    """
+    windows = fit.measurement.bodies == 2 and len(fit.recordings) > 1
+    own = [name for name in fit.names if windows and "[" in name and not name.endswith("[1]")]
+    fitted = [(name, fit[name]) for name in fit.names if name not in own]
     if not isinstance(fit.recipe.get("system", ""), str):  # of a system, by its own parameters
         catalog = {**catalog, "quantities": catalog["quantities"] | catalog["parameters"]}
     return [
@@ -138,11 +146,11 @@ def _named(name: str, catalog: Mapping[str, Any]) -> str:
     return f"{catalog['quantities'].get(bare, bare)}{bracket}{number}"
 
 
-def _source(measured: Measurement | PeriodTable) -> dict[str, Any]:
+def _source(measured: Measurement | PeriodTable, language: str) -> dict[str, Any]:
     return {
         "name": PurePath(measured.source).name,
         "checksum": measured.checksum[:_SHORT],
-        "notes": list(measured.notes),
+        "notes": [reading_note(each, language) for each in measured.notes],
     }
 
 
