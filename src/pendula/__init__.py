@@ -60,8 +60,8 @@ promise("Measurement", "pendula.plot.recorded", "plot")
 promise("Fit", "pendula.study.measured.report", "report")
 promise("Comparison", "pendula.study.measured.report", "report")
 promise("PeriodFit", "pendula.study.measured.report", "report")
-_DRAWN = ("Alignment", "Bifurcation", "Family", "Lyapunov", "Megno", "PeriodicOrbit", "Section")
-for _owner in _DRAWN:
+_DRAWN = ("Alignment", "Bifurcation", "Family", "Frequencies", "Lyapunov", "Megno", "PeriodicOrbit")
+for _owner in (*_DRAWN, "Section", "ZeroOne"):
     promise(_owner, "pendula.plot", "plot")
 
 if TYPE_CHECKING:

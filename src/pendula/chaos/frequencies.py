@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 from pendula._checks import extra, finite_array, whole_number
+from pendula._late_methods import with_promised
 from pendula._messages import ArgumentError
 from pendula.chaos.lines import BINS_APART, Lines, fitted_lines
 
@@ -24,6 +25,7 @@ _UNEVEN = 1e-6  # of a step, by which times may be off the grid: those of a long
 _ROUNDED = 1e-12  # of the series or of the largest frequency: less is the samples' own rounding
 
 
+@with_promised
 @dataclass(frozen=True, eq=False, repr=False)
 class Frequencies:
     """The strongest lines of a series, the strongest first.
@@ -64,6 +66,11 @@ class Frequencies:
         told = {"residual": self.residual, "limit": self.limit}
         made: xr.Dataset = extra("xarray", "io").Dataset(lines, attrs=told)
         return made
+
+    if TYPE_CHECKING:  # attached by the module that defines it
+
+        def plot(self, *, ax: Any = None, language: str = "en") -> Any:
+            """See `pendula.plot.spectrum`."""
 
 
 def _phases(amplitudes: NDArray[Any]) -> Array:

@@ -2,16 +2,21 @@
 
 from __future__ import annotations
 
+import json
 import math
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
-from pendula._checks import finite_array, whole_number
+from pendula._attributes import KEY
+from pendula._checks import extra, finite_array, whole_number
+from pendula._late_methods import with_promised
 from pendula._messages import ArgumentError
+from pendula._version import __version__
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
+    import xarray as xr
     from numpy.typing import ArrayLike
 
     from pendula._types import Array
@@ -23,6 +28,7 @@ _SHORTEST_ZERO = 10  # samples: a first zero of the autocorrelation beyond is ov
 _CHAOTIC, _REGULAR = 0.9, 0.1
 
 
+@with_promised
 @dataclass(frozen=True, eq=False, repr=False)
 class ZeroOne:
     """What the 0–1 test says of a series.
@@ -44,6 +50,22 @@ class ZeroOne:
     oversampled: bool
     verdict: str
     recipe: Mapping[str, Any] = field(default_factory=dict)
+
+    def to_xarray(self) -> xr.Dataset:
+        """K at each frequency of the test (extra: io)."""
+        told = {"K": self.value, "verdict": self.verdict, "first_zero": self.first_zero}
+        described = {KEY: json.dumps({KEY: __version__, "chaos": "ZeroOne", "recipe": self.recipe})}
+        made: xr.Dataset = extra("xarray", "io").Dataset(
+            {"K_c": ("c", self.values, {"long_name": "correlation of the displacement with time"})},
+            coords={"c": ("c", self.c, {"units": "rad", "long_name": "frequency, per sample"})},
+            attrs=told | described,
+        )
+        return made
+
+    if TYPE_CHECKING:  # attached by the module that defines it
+
+        def plot(self, *, ax: Any = None, language: str = "en") -> Any:
+            """See `pendula.plot.spectrum`."""
 
     def __repr__(self) -> str:
         told = f", oversampled: first zero at {self.first_zero}" if self.oversampled else ""

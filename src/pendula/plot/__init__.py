@@ -24,6 +24,7 @@ from pendula.plot.pendulum import elliptic_cost, linear_error, periods, phase_po
 from pendula.plot.running import running
 from pendula.plot.sections import section
 from pendula.plot.shares import chaotic_share
+from pendula.plot.spectra import spectrum
 from pendula.plot.style import picture, svg
 from pendula.plot.work_precision import work_precision
 
@@ -55,6 +56,7 @@ __all__ = [
     "running",
     "section",
     "series",
+    "spectrum",
     "stored_map",
     "svg",
     "tip_paths",
