@@ -15,6 +15,7 @@ import hashlib
 import numpy as np
 from catalogue import SYSTEMS
 from pendula import ensemble, exact, methods, solve
+from pendula.chaos import megno
 from pendula._engine import machines
 from pendula.events import flip
 digest, chance, t = hashlib.sha256(), np.random.default_rng(7), [0.3, 1.0]
@@ -28,6 +29,13 @@ for system in SYSTEMS:
         digest.update(many.states.tobytes() + many.n_steps.tobytes())
         one = solve(system, states[0], t, method.name, certify=1e-9, **options)
         digest.update(one.states.tobytes() + np.float64(one.trust_horizon).tobytes())
+    for made in (
+        solve(system, states[0], t, derivatives="all"),
+        ensemble(system, states, t, derivatives="state"),
+    ):
+        digest.update(made.states.tobytes() + made.derivatives.tobytes())
+    measured = megno(system, states, t)
+    digest.update(measured.mean.tobytes() + measured.growth.tobytes())
     if system.can.periodic:
         found = ensemble(system, 2.0 * states, [5.0], events=flip(1)).events[0]
         digest.update(found.times.tobytes())

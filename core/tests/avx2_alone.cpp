@@ -8,7 +8,6 @@
 
 namespace pendula::plain {
 
-extern const exact_kernel exact_loops{};
 extern const run_kernel adaptive_runs{};
 extern const derivative_kernel derivative_runs{};
 extern const shadow_maker shadows{};
