@@ -25,7 +25,7 @@ export class Extras {
   readonly graphs: readonly Graph[];
   private points: Points | null = null;
   private asked = new Map<string, Motion>();
-  private readonly work = new AbortController();
+  private readonly works = new Map<string, AbortController>();
 
   constructor(private readonly lab: Lab) {
     this.graphs = [
@@ -46,12 +46,16 @@ export class Extras {
   }
 
   leave(): void {
-    this.work.abort();
+    for (const work of this.works.values()) work.abort();
   }
 
-  /** Computes what is looked at, once for each motion. */
+  /** Computes what is looked at, once for each motion; a section that is no longer chosen is left. */
   follow(chosen: ReadonlySet<Key>): void {
     const { motion } = this.lab;
+    if (!chosen.has("graph_section") && this.points === null) {
+      this.works.get("graph_section")?.abort();
+      this.asked.delete("graph_section");
+    }
     const due = (key: Key) => {
       const fits = this.graphs.find((each) => each.key === key)?.fits ?? exchanges;
       if (!chosen.has(key) || !fits(this.lab) || motion.outcome === null) return false;
@@ -64,11 +68,17 @@ export class Extras {
     if (due("graph_balance") || bars) this.takeBalance().catch((error) => this.lab.caught(error));
   }
 
+  private begun(key: string): AbortSignal {
+    const work = new AbortController();
+    this.works.set(key, work);
+    return work.signal;
+  }
+
   private async section(): Promise<void> {
     const { lab } = this;
     const { recipe } = lab;
     this.points = null;
-    const { signal } = this.work;
+    const signal = this.begun("graph_section");
     const { spacing: _, options, ...request } = gridOf(recipe, "taylor");
     const end = recipe.t0 + Math.min(LONGEST, 20 * Math.abs(recipe.t_max - recipe.t0));
     if (isDouble(recipe)) {
@@ -90,7 +100,7 @@ export class Extras {
   private async takeBalance(): Promise<void> {
     const { lab } = this;
     if (lab.balance?.motion === lab.motion) return;
-    lab.balance = await balanceOf(lab, this.work.signal);
+    lab.balance = await balanceOf(lab, this.begun("graph_balance"));
     lab.tell("time");
   }
 
