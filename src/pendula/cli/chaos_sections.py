@@ -6,11 +6,9 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from pendula.chaos.alignment import ALIGNED
-from pendula.chaos.indicators import INDICATORS
-from pendula.chaos.verdict import VERDICTS, verdict_of
 from pendula.cli.chaos_files import check_targets, deliver, output_options
 from pendula.cli.groups import ChoiceGroup, one_each
+from pendula.cli.map import INDICATORS
 from pendula.cli.options import (
     run_options,
     run_options_of,
@@ -111,6 +109,8 @@ def _refuse_start(entry: SystemEntry, given: dict[str, Any]) -> None:
 
 def _crossings(found: Section) -> dict[str, Any]:
     """A row for each crossing."""
+    from pendula.chaos.indicators import INDICATORS as MEANINGS
+
     n, m = found.times.shape
     columns: dict[str, Any] = {
         "start": [i for i in range(1, n + 1) for _ in range(m)],
@@ -122,7 +122,7 @@ def _crossings(found: Section) -> dict[str, Any]:
         columns["p2 [J s]"] = found.points[..., 1].ravel().tolist()
     if found.values is not None:
         name = found.recipe["indicator"]
-        unit = INDICATORS[name][0]
+        unit = MEANINGS[name][0]
         columns[name if unit == "1" else f"{name} [{unit}]"] = found.values.repeat(m).tolist()
     return columns
 
@@ -147,6 +147,9 @@ def _told_of_section(found: Section) -> tuple[str, str]:
 
 def _told_of_motions(indicator: str, t_max: float, values: Array) -> str:
     """How many motions an indicator calls chaotic, or between what values they lie."""
+    from pendula.chaos.alignment import ALIGNED
+    from pendula.chaos.verdict import VERDICTS, verdict_of
+
     if indicator == "sali":
         return f"{int((values < ALIGNED).sum())} of SALI below {ALIGNED:g} at {t_max:g} s: chaotic"
     if indicator == "lyapunov":

@@ -36,7 +36,7 @@ if TYPE_CHECKING:
 _TURN, _SIZE = "-180deg:180deg", "500x500"
 _ANGLES = ("theta1", "theta2")
 _SECTION = {"theta2": ("rad", _TURN), "p2": ("J s", "-1:1")}  # unit and example of each axis
-_INDICATORS = {
+INDICATORS = {
     "megno": "MEGNO, the mean exponential growth of nearby orbits",
     "lyapunov": "the finite-time Lyapunov exponent",
     "sali": "SALI, the smaller alignment index",
@@ -114,7 +114,7 @@ def _section_options(entry: SystemEntry) -> list[click.Parameter]:
         value("energy", "energy of all starts, e.g. 10J", required=True),
         click.Option(
             ["--indicator"],
-            type=click.Choice(list(_INDICATORS)),
+            type=click.Choice(list(INDICATORS)),
             default="megno",
             show_default=True,
             help="what is mapped",
@@ -144,7 +144,7 @@ def _compute(kind: str, entry: SystemEntry, given: dict[str, Any]) -> None:
 
     out, picture = check_targets(given)
     asked = _section_asked(entry, given) if kind == "section" else _asked(kind, entry, given)
-    name = "indicator" if kind in _INDICATORS else kind
+    name = "indicator" if kind in INDICATORS else kind
     kinds: dict[str, Any] = {
         "flip": maps.FlipMap,
         "divergence": maps.DivergenceMap,
@@ -180,7 +180,7 @@ def _asked(kind: str, entry: SystemEntry, given: dict[str, Any]) -> dict[str, An
     return {
         **_shared(entry, given),
         **{name: range_of(given[name], name, "rad", _TURN) for name in _ANGLES},
-        **({"indicator": kind} if kind in _INDICATORS else _OWN[kind](given)),
+        **({"indicator": kind} if kind in INDICATORS else _OWN[kind](given)),
     }
 
 
@@ -254,13 +254,13 @@ def _command() -> ChoiceGroup:
     helps = {
         "flip": "Map the time until a rod first flips.",
         "divergence": "Map how far neighbouring motions have separated after a given time.",
-        **{name: f"Map {meaning}." for name, meaning in _INDICATORS.items()},
+        **{name: f"Map {meaning}." for name, meaning in INDICATORS.items()},
         "section": "Map an indicator of chaos over an energy's Poincaré section.",
     }
     options: dict[str, Any] = {
         "flip": _flip_options,
         "divergence": _divergence_options,
-        **dict.fromkeys(_INDICATORS, _indicator_options),
+        **dict.fromkeys(INDICATORS, _indicator_options),
         "section": _section_options,
     }
     for kind, help in helps.items():
