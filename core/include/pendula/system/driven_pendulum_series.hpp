@@ -80,8 +80,13 @@ class driven_pendulum_series : public one_bob_series<S> {
   using pair = sine_with_cosine<S>;
   using two = detail::two_orders<S>;
   // Of one trajectory of doubles the loop over the orders is written out, up to the order of the finest tolerance: with
-  // its places known, what an order needs of those before it stays in registers. 319 ns a step, 371 in a loop.
+  // its places known, what an order needs of those before it stays in registers. 319 ns a step, 371 in a loop. Not in a
+  // page, which would be a twentieth longer to load.
+#if defined(__wasm__)
+  static constexpr int unrolled = 0;
+#else
   static constexpr int unrolled = std::same_as<S, double> ? 14 : 0;
+#endif
 
   // Which terms the equation has, and its forces, as far as they have come.
   struct terms {
