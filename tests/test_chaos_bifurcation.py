@@ -72,9 +72,12 @@ def test_exponents_and_their_sum() -> None:
     found = bifurcation(
         driven(), "a", values, state=(0.2, 0.0), points=320, follow=False, changes=False
     )
-    # 1.1e-12 measured, of a chaotic motion: its directions come to be parallel but for a thousandth
-    # between the steps that make them orthogonal, which takes three digits from their area
-    assert abs(found.exponents.sum(axis=1) + 0.5).max() < 4e-12
+    # In chaos a period stretches up to 560 times, and rounding takes half a unit of |Φ|² from the
+    # determinant e^(−T/q): 3.0e-12 and 6.0e-12 in the mean, at most; 1.1e-12 and 3.8e-13 measured.
+    defects = abs(found.exponents.sum(axis=1) + 0.5)
+    chaotic = np.array([exponent > 0 for _, exponent, _ in EXPONENTS])
+    assert defects[chaotic].max() < 3e-12
+    assert defects[~chaotic].max() < 1e-13
     for (_, exponent, error), largest, own in zip(
         EXPONENTS, found.exponents[:, 0], found.standard_errors, strict=True
     ):
