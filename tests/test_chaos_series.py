@@ -107,10 +107,57 @@ def test_frequencies_drawn_by_a_seed() -> None:
         (logistic(3.9, 200), [0.0], "c must not be a multiple of 2 pi"),
         (logistic(3.9, 200), 0, "c must be a whole number from 1"),
         ([math.nan] * 200, None, "series must hold finite numbers, got nan at series[0]"),
+        ([logistic(3.9, 200), [2.0] * 200], None, "series[1] must vary, got 2.0 in every sample"),
+        ([[0.0] * 200, [math.nan] * 200], None, "got nan at series[1, 0]"),
+        (np.zeros((200, 4)), None, "got shape (200, 4); give several quantities as rows"),
+        (np.zeros((2, 2, 200)), None, "series must hold from 100"),
+        (np.zeros((0, 200)), None, "series must hold from 100"),
     ],
 )
 def test_a_series_that_cannot_be_tested(series: Any, c: Any, says: str) -> None:
     assert says in refusals.told(lambda: zero_one(series, c))
+
+
+@pytest.mark.parametrize("threads", [1, 2, 3])
+@pytest.mark.parametrize(("count", "c"), [(301, None), (70001, [1.0, 1.7])])
+def test_several_series_are_tested_to_the_bits_of_each(
+    threads: int, count: int, c: list[float] | None
+) -> None:
+    """Blocks of several series, and long series, one a block; one series is told as ever."""
+    rates = (3.9, 3.55, 3.97, 3.5699, 3.8)
+    series = [logistic(rate, count) + i for i, rate in enumerate(rates)]
+    many = zero_one(series, c, threads=threads)
+    assert many.values.shape == (5, many.c.size)
+    for i, each in enumerate(series):
+        one = zero_one(each, c)
+        assert (many.value[i], many.first_zero[i]) == (one.value, one.first_zero)
+        assert (many.verdict[i], many.oversampled[i]) == (one.verdict, one.oversampled)
+        assert np.array_equal(many.values[i], one.values)
+        assert np.array_equal(many.c, one.c)
+        assert many.recipe == one.recipe
+    told = one.value, one.first_zero, one.oversampled, one.verdict
+    assert [type(each) for each in told] == [float, int, bool, str]
+    assert one.values.shape == one.c.shape
+    assert zero_one(series[:1], c).value.shape == (1,)
+
+
+def test_tests_of_several_series_as_text_and_as_a_dataset() -> None:
+    slow = np.sin(np.arange(500) * 0.05) + 0.1 * logistic(3.9, 500)
+    found = zero_one([logistic(3.9, 500), logistic(3.55, 500), slow])
+    assert repr(found) == (
+        "<ZeroOne of 3 series: 1 chaotic, 1 regular, 1 undecided; 1 oversampled>"
+    )
+    made = found.to_xarray()
+    assert made["K_c"].dims == ("series", "c")
+    assert np.array_equal(made["K"].values, found.value)
+    assert made["verdict"].values.tolist() == ["chaotic", "regular", "undecided"]
+    assert made["first_zero"].dims == ("series",)
+    assert list(made.attrs) == ["pendula"]
+
+
+def test_threads_of_the_test_are_counted() -> None:
+    says = refusals.told(lambda: zero_one(logistic(3.9, 200), threads=0))
+    assert "threads must be a whole number from 1" in says
 
 
 @pytest.mark.parametrize(("case", "omega", "amplitudes"), LIBRATION)

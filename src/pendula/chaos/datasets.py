@@ -1,4 +1,4 @@
-"""Results of measures as datasets: one motion, or several along a first axis."""
+"""Results of measures as datasets: one motion or series, or several along a first axis."""
 
 from __future__ import annotations
 
@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     Told = tuple[tuple[str, ...], Any, str, str]  # dims of one motion, values, unit, meaning
 
 _MOTION = "motion"
+_SERIES = "series"
 
 
 def dataset_of(
@@ -56,3 +57,17 @@ def dataset_of(
         attrs={KEY: json.dumps(described)},
     )
     return made
+
+
+def told_of_series(
+    told: Mapping[str, Any], *, several: bool
+) -> tuple[tuple[str, ...], dict[str, Any], dict[str, Any]]:
+    """The first dims of what is told of series, and facts as variables and as attributes.
+
+    Args:
+        told: facts by name, a number or word of one series, (k,) of several.
+        several: whether they are of several series: then variables over the series.
+    """
+    if not several:
+        return (), {}, dict(told)
+    return (_SERIES,), {name: (_SERIES, each) for name, each in told.items()}, {}

@@ -8,10 +8,12 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 from pendula._attributes import KEY
-from pendula._checks import extra, finite_array, whole_number
+from pendula._checks import checked_threads, extra, finite_array, whole_number
 from pendula._late_methods import with_promised
 from pendula._messages import ArgumentError
 from pendula._version import __version__
+from pendula.chaos.datasets import told_of_series
+from pendula.chaos.verdict import VERDICTS
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -26,16 +28,17 @@ _LEAST, _MOST = 100, 10**7  # samples
 _MOST_FREQUENCIES = 10**4
 _SHORTEST_ZERO = 10  # samples: a first zero of the autocorrelation beyond is oversampling
 _CHAOTIC, _REGULAR = 0.9, 0.1
+_BLOCK = 2**16  # samples of several series worked on at a time
 
 
 @with_promised
 @dataclass(frozen=True, eq=False, repr=False)
 class ZeroOne:
-    """What the 0–1 test says of a series.
+    """What the 0–1 test says of one series, or of k series (then with a first axis k).
 
     Attributes:
         value: K, the median over c: near 0 regular, near 1 chaotic.
-        c: the frequencies of the test, (m,) [rad per sample].
+        c: the frequencies of the test, the same for all series, (m,) [rad per sample].
         values: K_c, the correlation of the displacement with time at each c, (m,).
         first_zero: the sample at which the autocorrelation first falls below zero.
         oversampled: whether that lies beyond 10 samples; K is then near 0 for chaos, too.
@@ -43,22 +46,24 @@ class ZeroOne:
         recipe: the arguments that it was made with, but for the series.
     """
 
-    value: float
+    value: Any
     c: Array
     values: Array
-    first_zero: int
-    oversampled: bool
-    verdict: str
+    first_zero: Any
+    oversampled: Any
+    verdict: Any
     recipe: Mapping[str, Any] = field(default_factory=dict)
 
     def to_xarray(self) -> xr.Dataset:
         """K at each frequency of the test (extra: io)."""
         told = {"K": self.value, "verdict": self.verdict, "first_zero": self.first_zero}
+        several, data, attrs = told_of_series(told, several=self.values.ndim == 2)
         described = {KEY: json.dumps({KEY: __version__, "chaos": "ZeroOne", "recipe": self.recipe})}
+        meaning = {"long_name": "correlation of the displacement with time"}
         made: xr.Dataset = extra("xarray", "io").Dataset(
-            {"K_c": ("c", self.values, {"long_name": "correlation of the displacement with time"})},
+            {"K_c": ((*several, "c"), self.values, meaning), **data},
             coords={"c": ("c", self.c, {"units": "rad", "long_name": "frequency, per sample"})},
-            attrs=told | described,
+            attrs=attrs | described,
         )
         return made
 
@@ -68,22 +73,36 @@ class ZeroOne:
             """See `pendula.plot.spectrum`."""
 
     def __repr__(self) -> str:
+        if self.values.ndim == 2:
+            counts = {each: int((self.verdict == each).sum()) for each in VERDICTS}
+            told = ", ".join(f"{count} {each}" for each, count in counts.items() if count)
+            often = f"; {self.oversampled.sum()} oversampled" if self.oversampled.any() else ""
+            return f"<ZeroOne of {len(self.values)} series: {told}{often}>"
         told = f", oversampled: first zero at {self.first_zero}" if self.oversampled else ""
         return f"<ZeroOne K = {self.value:.4f}, {self.verdict}{told}>"
 
 
-def zero_one(series: ArrayLike, c: ArrayLike | int | None = None, seed: int = 0) -> ZeroOne:
-    """The 0–1 test for chaos of an evenly sampled series (Gottwald & Melbourne 2009).
+def zero_one(
+    series: ArrayLike,
+    c: ArrayLike | int | None = None,
+    seed: int = 0,
+    *,
+    threads: int | None = None,
+) -> ZeroOne:
+    """The 0–1 test for chaos of evenly sampled series (Gottwald & Melbourne 2009).
 
     The series φ_j drives p and q by φ_j cos jc and φ_j sin jc; K_c is the correlation with n of
     their mean square displacement M_c(n), without its oscillating part ⟨φ⟩² (1 − cos nc)/(1 − cos
     c) (their eqs. 2.1–2.6), for n up to a tenth of the length; K is the median over c.
 
     Args:
-        series: samples of one quantity, such as successive crossings of a section, (n,).
+        series: samples of one quantity, such as successive crossings of a section, (n,), or of k
+            quantities or motions, (k, n); each has the bits that it has alone.
         c: frequencies, (m,) [rad per sample]; None: c_i = π/5 + (3π/5)(i + ½)/100, i = 0 … 99; a
             whole number: so many drawn from π/5 to 4π/5.
         seed: of that draw, by PCG64; nothing else is random.
+        threads: that test several series, each in some 200 bytes a sample. None: one for each
+            processor.
 
     Returns:
         K, the value at each c, whether the series is oversampled, and the verdict.
@@ -93,43 +112,51 @@ def zero_one(series: ArrayLike, c: ArrayLike | int | None = None, seed: int = 0)
     """
     import numpy as np
 
-    samples = _checked_series(series)
+    samples, single = _checked_series(series)
     frequencies = _checked_c(c, seed)
-    values = _correlations(samples, frequencies)
-    value = float(np.median(values))
-    first_zero = _first_zero(samples)
+    values, first_zero = _tested(samples, frequencies, checked_threads(threads))
+    value = np.median(values, axis=-1)
     oversampled = first_zero > _SHORTEST_ZERO
-    verdict = "chaotic" if value > _CHAOTIC else "regular" if value < _REGULAR else "undecided"
+    verdict = np.where(value < _REGULAR, "regular", "undecided")
+    verdict = np.where(value > _CHAOTIC, "chaotic", verdict)
+    verdict = np.where(oversampled, "undecided", verdict)
     recipe = {"c": c if c is None or isinstance(c, int) else frequencies.tolist(), "seed": seed}
+
+    def shaped(each: Any) -> Any:
+        return each[0].item() if single else each
+
     return ZeroOne(
-        value,
+        shaped(value),
         frequencies,
-        values,
-        first_zero,
-        oversampled,
-        "undecided" if oversampled else verdict,
+        values[0] if single else values,
+        shaped(first_zero),
+        shaped(oversampled),
+        shaped(verdict),
         recipe,
     )
 
 
-def _checked_series(series: ArrayLike) -> Array:
-    """The samples, (n,), enough of them, that vary."""
+def _checked_series(series: ArrayLike) -> tuple[Array, bool]:
+    """The samples of all series, (k, n), enough of them, that vary; whether one was given, (n,)."""
     samples = finite_array("series", series)
-    if samples.ndim != 1 or not _LEAST <= samples.size <= _MOST:
+    single = samples.ndim == 1
+    rows = samples[None] if single else samples
+    if rows.ndim != 2 or not len(rows) or not _LEAST <= rows.shape[1] <= _MOST:
         raise ArgumentError(
             "series",
             f"must hold from {_LEAST} to {_MOST} samples of one quantity, got shape {{value}}",
-            "test each quantity by itself",
+            "give several quantities as rows",
             value=samples.shape,
         )
-    if samples.min() == samples.max():
-        raise ArgumentError(
-            "series",
-            "must vary, got {value} in every sample",
-            "take a quantity that the motion changes",
-            value=float(samples[0]),
-        )
-    return samples
+    for i, row in enumerate(rows):
+        if row.min() == row.max():
+            raise ArgumentError(
+                "series" if single else f"series[{i}]",
+                "must vary, got {value} in every sample",
+                "take a quantity that the motion changes",
+                value=float(row[0]),
+            )
+    return rows, single
 
 
 def _checked_c(c: ArrayLike | int | None, seed: int) -> Array:
@@ -158,36 +185,65 @@ def _checked_c(c: ArrayLike | int | None, seed: int) -> Array:
     return frequencies
 
 
-def _correlations(samples: Array, frequencies: Array) -> Array:
-    """K_c at each c, (m,)."""
+def _tested(samples: Array, frequencies: Array, threads: int) -> tuple[Array, Array]:
+    """K_c (k, m) and the first zeros (k,) of series (k, n), in blocks of them through threads."""
     import numpy as np
 
-    count = samples.size
+    count, length = samples.shape
+    size = max(1, min(_BLOCK // length, math.ceil(count / threads)))
+    blocks = [samples[first : first + size] for first in range(0, count, size)]
+
+    def tested(block: Array) -> tuple[Array, Array]:
+        return _correlations(block, frequencies), _first_zeros(block)
+
+    if len(blocks) == 1 or threads == 1:
+        found = [tested(block) for block in blocks]
+    else:
+        from concurrent.futures import ThreadPoolExecutor
+
+        with ThreadPoolExecutor(min(threads, len(blocks))) as pool:
+            found = list(pool.map(tested, blocks))
+    values, first_zeros = zip(*found, strict=True)
+    return np.concatenate(values), np.concatenate(first_zeros)
+
+
+def _correlations(samples: Array, frequencies: Array) -> Array:
+    """K_c of series (k, n) at each c, (k, m)."""
+    import numpy as np
+
+    count = samples.shape[1]
     most = count // 10
     lags, places = np.arange(1, most + 1), np.arange(1, count + 1)
-    squared_mean = samples.mean() ** 2
-    values = np.empty(frequencies.size)
+    squared_means = np.array([[row.mean() ** 2] for row in samples])
+    values = np.empty((len(samples), frequencies.size))
     for i, c in enumerate(frequencies):
-        path = np.cumsum(samples * np.exp(1j * c * places))  # p + iq
-        displacement = _displacement(path, most)
-        displacement -= squared_mean * (1 - np.cos(lags * c)) / (1 - np.cos(c))
-        values[i] = _correlation(lags, displacement)
+        paths = np.cumsum(samples * np.exp(1j * c * places), axis=-1)  # p + iq
+        displacements = _displacements(paths, most)
+        displacements -= squared_means * (1 - np.cos(lags * c)) / (1 - np.cos(c))
+        values[:, i] = [_correlation(lags, each) for each in displacements]
     return values
 
 
-def _displacement(path: Any, most: int) -> Array:
-    """M_c(n) = mean over j = 1 … N − most of |z_(j+n) − z_j|², n = 1 … most, by one convolution."""
+def _displacements(paths: Any, most: int) -> Array:
+    """M_c(n) = mean over j = 1 … N − most of |z_(j+n) − z_j|², n = 1 … most, by one convolution.
+
+    Args:
+        paths: z of each series, (k, N).
+        most: n goes up to.
+    """
     import numpy as np
 
-    path = path - path.mean()  # the displacement is the same, with more digits
-    head = path[: path.size - most]
-    size = 1 << (path.size + head.size - 1).bit_length()
-    spectrum = np.fft.fft(path, size) * np.conj(np.fft.fft(head, size))
-    products = np.fft.ifft(spectrum)[1 : most + 1].real
-    squares = np.concatenate([[0.0], np.cumsum(abs(path) ** 2)])
-    ends = np.arange(1, most + 1)
-    moved = squares[ends + head.size] - squares[ends]
-    return np.asarray((moved + squares[head.size] - 2 * products) / head.size)
+    paths = paths - paths.mean(axis=-1, keepdims=True)  # the same displacement, with more digits
+    count = paths.shape[-1]
+    heads = paths[:, : count - most]
+    length = heads.shape[-1]
+    size = 1 << (count + length - 1).bit_length()
+    spectra = np.fft.fft(paths, size) * np.conj(np.fft.fft(heads, size))
+    products = np.fft.ifft(spectra)[:, 1 : most + 1].real
+    squares = np.zeros((len(paths), count + 1))
+    np.cumsum(abs(paths) ** 2, axis=-1, out=squares[:, 1:])
+    moved = squares[:, 1 + length :] - squares[:, 1 : most + 1]
+    return np.asarray((moved + squares[:, [length]] - 2 * products) / length)
 
 
 def _correlation(lags: Any, values: Array) -> float:
@@ -199,12 +255,13 @@ def _correlation(lags: Any, values: Array) -> float:
     return float(np.clip(x @ y / size, -1.0, 1.0)) if size else 0.0
 
 
-def _first_zero(samples: Array) -> int:
-    """The first lag at which the autocorrelation is negative; there is one, as its sum is 0."""
+def _first_zeros(samples: Array) -> Any:
+    """The first lag at which each autocorrelation is negative, (k,); there is one: its sum is 0."""
     import numpy as np
 
-    centred = samples - samples.mean()
-    size = 1 << (2 * samples.size - 1).bit_length()
-    spectrum = np.fft.rfft(centred, size)
-    found = np.fft.irfft(abs(spectrum) ** 2, size)[: samples.size]
-    return int((found < 0).argmax())
+    centred = samples - samples.mean(axis=-1, keepdims=True)
+    count = samples.shape[-1]
+    size = 1 << (2 * count - 1).bit_length()
+    spectra = np.fft.rfft(centred, size)
+    found = np.fft.irfft(abs(spectra) ** 2, size)[:, :count]
+    return (found < 0).argmax(axis=-1)
