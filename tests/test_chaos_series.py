@@ -40,6 +40,7 @@ LIBRATION = [
 ]
 
 RODS = DoublePendulum.rods(gravity=9.81)
+WAVES = np.cos(0.9 * np.arange(60.0)) + 0.1 * np.cos(2.1 * np.arange(60.0))
 
 
 def logistic(r: float, count: int) -> Any:
@@ -221,6 +222,11 @@ def test_lines_far_from_the_first_time() -> None:
         (np.arange(60.0), np.cos(np.arange(60.0)), 9, "n must not exceed the lines"),
         (np.arange(6.0), np.cos(np.arange(6.0)), 1, "t must hold from 32"),
         (np.arange(60.0), [math.nan] * 60, 1, "x must hold finite numbers, got nan at x[0]"),
+        (np.arange(60.0), [np.ones(60), np.zeros(60)], 1, "x[1] must not be zero throughout"),
+        (np.arange(60.0), np.ones((60, 2)), 1, "got shape (60, 2); give several series as rows"),
+        (np.arange(60.0), np.ones((0, 60)), 1, "x must hold one number for each of the 60 times"),
+        (np.arange(60.0), np.ones((1, 2, 60)), 1, "x must hold one number for each of the 60"),
+        (np.arange(60.0), [WAVES, np.ones(60)], 2, "rounding, 1 in x[1]; got 2"),
     ],
 )
 def test_a_series_without_frequencies(t: Any, x: Any, n: int, says: str) -> None:
@@ -233,3 +239,34 @@ def test_frequencies_as_a_dataset() -> None:
     made = found.to_xarray()
     assert made["frequency"].values == pytest.approx([3.0], abs=1e-13)
     assert made["phase"].values == pytest.approx([1.0], abs=1e-12)
+
+
+@pytest.mark.parametrize("kind", [float, complex])
+def test_several_series_have_the_lines_of_each(kind: type) -> None:
+    t = np.linspace(3.0, 100.0, 801)
+    states = np.moveaxis(solve(RODS, (0.4, -0.3, 0.2, 0.1), t).states, -1, 0)
+    series = states if kind is float else states[:2] + 1j * states[2:]
+    many = frequencies(t, series, 2)
+    assert many.frequencies.shape == (len(series), 2)
+    for i, each in enumerate(series):
+        one = frequencies(t, each, 2)
+        for name in ("frequencies", "amplitudes", "uncertainties"):
+            assert np.array_equal(getattr(many, name)[i], getattr(one, name))
+            assert getattr(one, name).shape == (2,)
+        told = many.residual[i], many.fitted[i], many.limit[i]
+        assert told == (one.residual, one.fitted, one.limit)
+        assert many.recipe == one.recipe
+    assert [type(each) for each in (one.residual, one.fitted, one.limit)] == [float, int, str]
+    assert frequencies(t, series[:1], 2).residual.shape == (1,)
+
+
+def test_frequencies_of_several_series_as_text_and_as_a_dataset() -> None:
+    t = np.linspace(0.0, 20.0, 400)
+    found = frequencies(t, [np.cos(3.0 * t + 1.0), 2.0 * np.cos(2.0 * t)], 1)
+    left = found.residual.max()
+    assert repr(found) == f"<Frequencies of 2 series, 1 of each, residual up to {left:.1e}>"
+    made = found.to_xarray()
+    assert made["frequency"].dims == made["phase"].dims == ("series", "line")
+    assert made["frequency"].values == pytest.approx(np.array([[3.0], [2.0]]), abs=1e-12)
+    assert np.array_equal(made["residual"].values, found.residual)
+    assert made["limit"].values.tolist() == found.limit.tolist()

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 from pendula._checks import extra, finite_array, whole_number
 from pendula._late_methods import with_promised
 from pendula._messages import ArgumentError
+from pendula.chaos.datasets import told_of_series
 from pendula.chaos.lines import BINS_APART, Lines, fitted_lines
 
 if TYPE_CHECKING:
@@ -22,13 +23,14 @@ if TYPE_CHECKING:
 _LEAST, _MOST = 32, 10**7  # samples
 _MOST_LINES = 200
 _UNEVEN = 1e-6  # of a step, by which times may be off the grid: those of a long run are rounded
+_OF_EACH = "frequencies", "amplitudes", "uncertainties", "residual", "fitted", "limit"
 _ROUNDED = 1e-12  # of the series or of the largest frequency: less is the samples' own rounding
 
 
 @with_promised
 @dataclass(frozen=True, eq=False, repr=False)
 class Frequencies:
-    """The strongest lines of a series, the strongest first.
+    """The strongest lines of one series, or of k series (then with a first axis k), by strength.
 
     x(t) ≈ Σ Re a exp(iωt) of a real series, Σ a exp(iωt) of a complex one.
 
@@ -45,26 +47,32 @@ class Frequencies:
     frequencies: Array
     amplitudes: NDArray[Any]
     uncertainties: Array
-    residual: float
-    fitted: int
-    limit: str
+    residual: Any
+    fitted: Any
+    limit: Any
     recipe: Mapping[str, Any] = field(default_factory=dict)
 
     def __repr__(self) -> str:
+        if self.frequencies.ndim == 2:
+            count, lines = self.frequencies.shape
+            left = f"residual up to {self.residual.max():.1e}"
+            return f"<Frequencies of {count} series, {lines} of each, {left}>"
         first = ", ".join(f"{each:.12g}" for each in self.frequencies[:3])
         more = ", …" if self.frequencies.size > 3 else ""
         return f"<Frequencies {first}{more} rad/s, residual {self.residual:.1e}>"
 
     def to_xarray(self) -> xr.Dataset:
         """A dataset over the lines (extra: io)."""
-        lines = {
-            "frequency": ("line", self.frequencies, {"units": "rad/s"}),
-            "uncertainty": ("line", self.uncertainties, {"units": "rad/s"}),
-            "amplitude": ("line", abs(self.amplitudes)),
-            "phase": ("line", _phases(self.amplitudes), {"units": "rad"}),
-        }
         told = {"residual": self.residual, "limit": self.limit}
-        made: xr.Dataset = extra("xarray", "io").Dataset(lines, attrs=told)
+        several, data, attrs = told_of_series(told, several=self.frequencies.ndim == 2)
+        dims = (*several, "line")
+        lines = {
+            "frequency": (dims, self.frequencies, {"units": "rad/s"}),
+            "uncertainty": (dims, self.uncertainties, {"units": "rad/s"}),
+            "amplitude": (dims, abs(self.amplitudes)),
+            "phase": (dims, _phases(self.amplitudes), {"units": "rad"}),
+        }
+        made: xr.Dataset = extra("xarray", "io").Dataset(lines | data, attrs=attrs)
         return made
 
     if TYPE_CHECKING:  # attached by the module that defines it
@@ -80,7 +88,7 @@ def _phases(amplitudes: NDArray[Any]) -> Array:
 
 
 def frequencies(t: ArrayLike, x: ArrayLike, n: int) -> Frequencies:
-    """The n strongest frequencies of an evenly sampled quasi-periodic series.
+    """The n strongest frequencies of evenly sampled quasi-periodic series.
 
     Numerical analysis of fundamental frequencies (Laskar 1990, Icarus 88, 266; Laskar 1999, in
     Simó (ed.), Hamiltonian Systems with Three or More Degrees of Freedom, p. 134): maxima of the
@@ -90,9 +98,10 @@ def frequencies(t: ArrayLike, x: ArrayLike, n: int) -> Frequencies:
 
     Args:
         t: times, rising, evenly spaced, (m,) [s].
-        x: the series at those times, real or complex, (m,). An angle that turns over has to be
-            taken without its mean rotation, or as exp(iθ).
-        n: how many lines.
+        x: the series at those times, real or complex, (m,), or k of them, (k, m); each has the
+            bits that it has alone. An angle that turns over has to be taken without its mean
+            rotation, or as exp(iθ).
+        n: how many lines, of each series.
 
     Returns:
         Frequencies, complex amplitudes, what is left, and what limits them. Lines beyond half the
@@ -106,14 +115,28 @@ def frequencies(t: ArrayLike, x: ArrayLike, n: int) -> Frequencies:
     times = _checked_times(t)
     series = _checked_series(x, times.size)
     count = whole_number("n", n, _MOST_LINES)
+    if series.ndim == 1:
+        return _strongest(times, series, count, "here")
+    each = [_strongest(times, row, count, f"in x[{i}]") for i, row in enumerate(series)]
+    told: dict[str, Any] = {
+        name: np.array([getattr(one, name) for one in each]) for name in _OF_EACH
+    }
+    return Frequencies(**told, recipe=each[0].recipe)
+
+
+def _strongest(times: Array, series: NDArray[Any], count: int, place: str) -> Frequencies:
+    """The strongest lines of one series (m,); `place` is where an error says that they are."""
+    import numpy as np
+
     step = (times[-1] - times[0]) / (times.size - 1)
     found = fitted_lines(series, count)
     if found.frequencies.size < count:
         raise ArgumentError(
             "n",
-            "must not exceed the lines that stand out of the rounding, {most} here; got {value}",
+            "must not exceed the lines that stand out of the rounding, {most} {place}; got {value}",
             "ask for fewer, or take a longer series",
             most=found.frequencies.size,
+            place=place,
             value=count,
         )
     order = np.argsort(-abs(found.amplitudes), kind="stable")[:count]
@@ -166,7 +189,7 @@ def _checked_times(t: ArrayLike) -> Array:
 
 
 def _checked_series(x: ArrayLike, count: int) -> NDArray[Any]:
-    """The series (m,), real or complex, finite, and not zero throughout."""
+    """The series (m,) or (k, m), real or complex, finite, and none zero throughout."""
     import numpy as np
 
     given = np.asarray(x)
@@ -175,9 +198,12 @@ def _checked_series(x: ArrayLike, count: int) -> NDArray[Any]:
         series: NDArray[Any] = parts[..., 0] + 1j * parts[..., 1]
     else:
         series = finite_array("x", x)
-    if series.shape != (count,):
+    if series.ndim not in (1, 2) or not series.size or series.shape[-1] != count:
         rule = "must hold one number for each of the {other} times, got shape {value}"
-        raise ArgumentError("x", rule, other=str(count), value=series.shape)
-    if not series.any():
-        raise ArgumentError("x", "must not be zero throughout")
+        way_out = "give several series as rows"
+        raise ArgumentError("x", rule, way_out, other=str(count), value=series.shape)
+    none = np.flatnonzero(~np.atleast_2d(series).any(axis=-1))
+    if none.size:
+        name = "x" if series.ndim == 1 else f"x[{none[0]}]"
+        raise ArgumentError(name, "must not be zero throughout")
     return series
