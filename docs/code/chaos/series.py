@@ -1,7 +1,9 @@
 crossings = chaos.section(rods, [wild, calm], crossings=600)
-for points in crossings.points:
-    test = chaos.zero_one(points[:, 0])
-    print(f"K = {abs(test.value):.2f}, {test.verdict}")
+tests = chaos.zero_one(crossings.points[..., 0])  # a row for each motion | una fila por movimiento
+for value, verdict in zip(tests.value, tests.verdict):
+    print(f"K = {abs(value):.2f}, {verdict}")
 times = np.arange(0.0, 100.0, 0.05)
-lines = chaos.frequencies(times, solve(rods, calm, times).states[:, 0], 2)
-print(np.sort(lines.frequencies).round(6))  # of the two normal modes, bent by their size
+angles = solve(rods, calm, times).states[:, :2].T
+lines = chaos.frequencies(times, angles, 2)
+# of the two normal modes, bent by their size | de los dos modos normales, que su tamaño desvía
+print(np.sort(lines.frequencies).round(6))
