@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from pendula.chaos.variations import Asked, first_variations
-from pendula.chaos.verdict import standard_error_of_mean
+from pendula.chaos.verdict import falls_slowly, standard_error_of_mean
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -72,5 +72,21 @@ def standard_errors(growth: Array, length: float) -> Array:
     """
     import numpy as np
 
-    rates = np.diff(growth, axis=1, prepend=0.0) / (length / growth.shape[1])
+    rates = _rates(growth, length)
     return np.array([[standard_error_of_mean(each) for each in row.T] for row in rates])
+
+
+def errors_that_fall_slowly(growth: Array, length: float) -> Array:
+    """Whether the error of each exponent falls more slowly than 1/√T by its run, (n, k)."""
+    import numpy as np
+
+    rates = _rates(growth, length)
+    return np.array([[falls_slowly(each) for each in row.T] for row in rates])
+
+
+def _rates(growth: Array, length: float) -> Array:
+    """Mean rates of growth between even times, (n, m, k) [1/s]."""
+    import numpy as np
+
+    rates: Array = np.diff(growth, axis=1, prepend=0.0) / (length / growth.shape[1])
+    return rates

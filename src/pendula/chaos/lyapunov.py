@@ -12,7 +12,7 @@ from pendula._progress import part, with_bar
 from pendula._tables import html_table
 from pendula.chaos.certified import Certified, certified
 from pendula.chaos.datasets import dataset_of
-from pendula.chaos.growths import Plan, standard_errors
+from pendula.chaos.growths import Plan, errors_that_fall_slowly, standard_errors
 from pendula.chaos.variations import OPTIONS, Asked, asked_of
 from pendula.chaos.verdict import verdict_of
 from pendula.run.options import takes_options
@@ -43,8 +43,8 @@ class Lyapunov:
         start: the state at t0, (d,) [rad, rad/s].
         t: times of the running estimate, from the end of the transient on, (m,) [s].
         exponents: mean growth of ln|δ|, of the orthogonal parts for several, (k,) [1/s].
-        standard_error: of each, from block means, (k,); NaN where the run is too short for eight
-            blocks of two correlation times [1/s].
+        standard_error: of each, from block means and the memory that they show, (k,); NaN where the
+            run is too short for eight blocks of two correlation times [1/s].
         running: the estimates up to each time, (m, k) [1/s].
         verdict: "chaotic", "regular" or "undecided", by the mean MEGNO of the whole run.
         mean_megno: of the whole run; NaN where several exponents are asked for.
@@ -121,6 +121,21 @@ class Lyapunov:
         first = self.running[..., half - 1, 0]
         second = (self.exponents[..., 0] * whole - first * until) / (whole - until)
         return np.abs(second - self.exponents[..., 0]) <= 2.0 * self.standard_error[..., 0]
+
+    @property
+    def standard_error_settled(self) -> Any:
+        """Whether the run's blocks let the error of the largest fall about as 1/√T.
+
+        False: they remember each other, so that more time helps little and other starts tell more.
+        True is no promise: a run knows nothing of what it has not met, such as an island's edge. At
+        100 J, where motions stick for longer than 10 000 s, it is False in three or four of ten.
+        """
+        import numpy as np
+
+        elapsed = self.t - self.t[0] + (self.t[1] - self.t[0])
+        growth = np.atleast_2d(self.running[..., 0] * elapsed)[..., np.newaxis]
+        slowly = errors_that_fall_slowly(growth, float(elapsed[-1]))[:, 0]
+        return np.logical_not(slowly) if self.running.ndim > 2 else not slowly[0]
 
     def to_xarray(self) -> xr.Dataset:
         """Exponents, their errors and the running estimates (extra: io)."""
