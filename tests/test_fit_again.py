@@ -59,13 +59,22 @@ def test_noise_is_summed_as_its_covariance_says() -> None:
         np.testing.assert_allclose(found, expected, atol=1e-13 * np.abs(expected).max())
 
 
-def test_the_bits_do_not_depend_on_threads() -> None:
+# a swing, and a chaotic motion in so many windows that their matrix is shared among threads
+OF_SWING = "clean(seconds=60.0, rate=100.0, viscous=0.02, coulomb=0.01), 'viscous + coulomb'"
+OF_WINDOWS = (
+    "recorded(pendula.DampedDoublePendulum.bobs(viscous=(0.01, 0.01)), (2.5, 2.5, 0, 0))"
+    ", 'viscous', windows=0.5"
+)
+
+
+@pytest.mark.parametrize("case", [OF_SWING, OF_WINDOWS])
+def test_the_bits_do_not_depend_on_threads(case: str) -> None:
     program = (
         "import hashlib, sys; sys.path[:0] = sys.argv[1:]\n"
-        "from simulated import clean\n"
+        "import pendula\n"
+        "from simulated import clean, recorded\n"
         "from pendula.measured import fit\n"
-        "swing = clean(seconds=60.0, rate=100.0, viscous=0.02, coulomb=0.01)\n"
-        "made = fit(swing, 'viscous + coulomb')\n"
+        f"made = fit({case})\n"
         "bits = made.values.tobytes() + made.covariance.tobytes() + made.residuals.tobytes()\n"
         "print(hashlib.sha256(bits).hexdigest())\n"
     )

@@ -13,6 +13,7 @@ from pendula.measured.asked import measurements_of, model_name, model_parts
 from pendula.measured.begun import Begun
 from pendula.measured.fit import fitted
 from pendula.measured.model import FRICTIONS
+from pendula.measured.one_thread import on_one_thread
 from pendula.measured.plan import planned
 from pendula.measured.storable import Storable
 from pendula.measured.words import Note
@@ -117,6 +118,7 @@ class Comparison(Storable):
             """See `pendula.study.measured.report.report`."""
 
 
+@on_one_thread
 def compare_models(
     measurement: Measurement | Iterable[Measurement],
     models: Iterable[str | Sequence[str]] = MODELS,

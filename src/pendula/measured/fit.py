@@ -10,11 +10,12 @@ from pendula.measured.begun import Begun
 from pendula.measured.double_start import refuse_upright
 from pendula.measured.free_swing import ends_stick_out, free_swing
 from pendula.measured.model import FRICTIONS
+from pendula.measured.one_thread import on_one_thread
 from pendula.measured.plan import Plan, planned
 from pendula.measured.result import result_of
 from pendula.measured.system_model import SystemModel
 from pendula.measured.system_start import system_optimum
-from pendula.measured.windows import cut, horizon_of, shot, windows_told
+from pendula.measured.windows import asked_windows, horizon_of, shot, windows_told
 from pendula.measured.words import Note
 
 if TYPE_CHECKING:
@@ -24,6 +25,7 @@ if TYPE_CHECKING:
     from pendula.systems import System
 
 
+@on_one_thread
 def fit(
     measurement: Measurement | Iterable[Measurement],
     system: System | str | Sequence[str] = "viscous",
@@ -120,7 +122,7 @@ def fitted(plan: Plan, recordings: tuple[Sampled, ...], begun: Begun) -> Fit:
 def fitted_double(plan: Plan, recording: Sampled) -> Fit:
     """The fit of a double pendulum that was planned."""
     refuse_upright(recording)
-    parts = [recording] if plan.windows is None else cut(recording, plan.windows)
+    parts = [recording] if plan.windows is None else asked_windows(recording, plan.windows)
     problem, best = shot(plan.problem(tuple(parts)), continuity=plan.continuity, robust=plan.robust)
     made = result_of(plan, problem, best, best.rms)
     if len(problem.recordings) > 1:
