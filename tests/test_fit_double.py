@@ -219,3 +219,7 @@ def test_bad_arguments_of_double_pendulums_are_named() -> None:
         fit(made, pendula.SimplePendulum())
     with pytest.raises(ValueError, match="windows must be positive"):
         fit(made, windows=-1.0)
+    moving = of_angles(np.arange(50) / 50.0, 0.1 * np.sin(np.arange(100.0)).reshape(50, 2))
+    line = "windows must hold 20 samples or more each; of 0.2 s one holds 10; take 0.42 s or longer"
+    with pytest.raises(ValueError, match=line):
+        fit(moving, windows=0.2)

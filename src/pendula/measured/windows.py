@@ -7,6 +7,7 @@ from dataclasses import replace
 from itertools import pairwise
 from typing import TYPE_CHECKING
 
+from pendula._messages import ArgumentError
 from pendula.measured.double_model import STATE, DoubleModel
 from pendula.measured.double_start import first_values, quickness
 from pendula.measured.fitted import Horizon
@@ -106,6 +107,27 @@ def _starts(
         mark = f"[{i + 1}]" if len(problem.recordings) > 1 else ""
         start |= {f"{n}{mark}": x for n, x in zip(_own(problem), own.tolist(), strict=True)}
     return start, lost
+
+
+def asked_windows(recording: Sampled, length: float) -> list[Sampled]:
+    """Windows as long as asked [s].
+
+    Raises:
+        ValueError: where one would hold too few samples to tell a start of its own.
+    """
+    parts = cut(recording, length)
+    fewest = min(len(each.t) for each in parts)
+    if fewest < _FEWEST:
+        raise ArgumentError(
+            "windows",
+            "must hold {least} samples or more each; of {value} s one holds {count}",
+            "take {enough} s or longer ones",
+            least=int(_FEWEST),
+            value=length,
+            count=fewest,
+            enough=float(f"{1.05 * length * _FEWEST / max(fewest, 1):.2g}"),
+        )
+    return parts
 
 
 def cut(recording: Sampled, length: float) -> list[Sampled]:
