@@ -247,12 +247,15 @@ def _displacements(paths: Any, most: int) -> Array:
 
 
 def _correlation(lags: Any, values: Array) -> float:
-    """The correlation coefficient; 0 where the values do not vary."""
+    """The correlation coefficient; 0 where the values do not vary.
+
+    Sums of products, whose bits do not depend on threads as those of `@` do.
+    """
     import numpy as np
 
     x, y = lags - lags.mean(), values - values.mean()
-    size = math.sqrt(float(x @ x) * float(y @ y))
-    return float(np.clip(x @ y / size, -1.0, 1.0)) if size else 0.0
+    size = math.sqrt(float((x * x).sum()) * float((y * y).sum()))
+    return float(np.clip((x * y).sum() / size, -1.0, 1.0)) if size else 0.0
 
 
 def _first_zeros(samples: Array) -> Any:
