@@ -87,7 +87,8 @@ test: test-core test-python test-lab
 
 test-core: .venv/installed
 	@$(BIN)/cmake -S . -B build/core -G Ninja -DCMAKE_MAKE_PROGRAM=$(BIN)/ninja -DPython_EXECUTABLE=$(BIN)/python \
-	  -DPENDULA_PYTHON=OFF -DPENDULA_TESTS=ON -DPENDULA_STRICT=ON >build/core.log || { cat build/core.log; exit 1; }
+	  -DPENDULA_PYTHON=OFF -DPENDULA_TESTS=ON -DPENDULA_STRICT=ON \
+	  -DPENDULA_BUILT="$$(ls -dt $(CURDIR)/build/cp*/core/src | head -1)" >build/core.log || { cat build/core.log; exit 1; }
 	@$(BIN)/cmake --build build/core --parallel $(CORES) >build/core.log || { cat build/core.log; exit 1; }
 	$(BIN)/ctest --test-dir build/core --output-on-failure --parallel $(CORES)
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
@@ -83,7 +84,11 @@ class SystemEntry:
 
     def form_index(self, form: str) -> int:
         """Place of the form of that name."""
-        return next(i for i, each in enumerate(self.forms) if each.name == form)
+        return self._places[form]
+
+    @cached_property
+    def _places(self) -> dict[str, int]:
+        return {each.name: i for i, each in enumerate(self.forms)}
 
 
 @dataclass(frozen=True)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <span>
 #include <vector>
 
@@ -58,7 +59,8 @@ class adaptive_run {
       S stop = last ? left : S(stepper_.length());
       const bool piece_ends = ends_piece(stop);
       last = last && !piece_ends;
-      if constexpr (has_double_precision<S>) terminated_ = !trackers_.empty() && report_events(stop, consumer);
+      if constexpr (has_double_precision<S>)
+        terminated_ = !trackers_.empty() && report_events(stop, piece_ends, consumer);
       const bool enough = !consumer.step(*this, stop);
       result.reached = last && !terminated_ ? end_ : time_after(stop);
       if (terminated_) return ended(result, outcome::event);
@@ -163,12 +165,16 @@ class adaptive_run {
   // Whether the joints change again and again at one time.
   bool stands_still() const { return pieces_at_once_ > 100; }
 
-  // True where one ends the run, at the time `stop` then is.
+  // True where one ends the run, at the time `stop` then is. Where a piece ends a velocity is zero but for rounding,
+  // which may put that behind the end; and of one that stays at rest nothing comes to light later.
   template <class Consumer>
-  bool report_events(S& stop, Consumer& consumer) {
+  bool report_events(S& stop, bool piece_ends, Consumer& consumer) {
     found_.clear();
     const view_of view(stepper_);
-    for (event_tracker& each : trackers_) each.find(view, rough(stop) / stepper_.length(), found_);
+    const double last = rough(stop), end = last / stepper_.length();
+    for (event_tracker& each : trackers_) each.find(view, piece_ends ? std::min(1.0, end + 0x1p-46) : end, found_);
+    for (crossing& each : found_)
+      if (std::fabs(each.tau) > std::fabs(last)) each.tau = last;
     std::stable_sort(found_.begin(), found_.end(),
                      [this](const crossing& a, const crossing& b) { return a.tau * direction_ < b.tau * direction_; });
     bool terminated = false;

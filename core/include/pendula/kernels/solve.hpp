@@ -12,7 +12,8 @@ namespace pendula {
 // refused (check.hpp). Runs with `digits` are those of long_runs.hpp.
 run_result solve(const request&, const watcher&);
 
-// Starts of steps, from which the motion between can be worked out again: all of them, or every so many.
+// Starts of steps, from which the motion between can be worked out again: every eighth, or fewer. All of them would
+// take a sixth of a run's time, which goes into new memory.
 class step_starts {
  public:
   void add(const step_motion&);
@@ -23,7 +24,7 @@ class step_starts {
  private:
   std::vector<double> numbers_;  // those of one start after the other: no more than there are, as memory is slow
   std::size_t width_ = 0;
-  std::int64_t stride_ = 1, counted_ = 0;
+  std::int64_t stride_ = 8, counted_ = 0;
 };
 
 // States at any times of a run that was made.

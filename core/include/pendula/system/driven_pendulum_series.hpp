@@ -46,11 +46,54 @@ struct two_orders<double> {
 
 }  // namespace detail
 
+// What belongs to the orders of one system's series, whatever the state: of a trajectory of doubles it is kept from
+// step to step.
+template <class S>
+class driven_pendulum_factors {
+ public:
+  using turn = typename sine_with_cosine<S>::turn;
+
+  explicit driven_pendulum_factors(std::size_t orders) : drive_(orders), friction_(orders), turn_(orders) {}
+
+  PENDULA_INLINE void prepare(const driven_pendulum::over<S>& of, const S* inverse) {
+    const S frequency = present(of.drive.amplitude) ? of.drive.frequency : S(0.0);
+    if constexpr (std::same_as<S, double>) {
+      const std::array key{frequency, of.viscous, inverse[1]};
+      if (key == key_) return;
+      key_ = key;
+    }
+    work_out(frequency, of.viscous, inverse);
+  }
+
+  // Of orders k of the drive, times the factor of the order that it goes into: that of (sine, cosine) of its phase.
+  PENDULA_INLINE const S& drive(int k) const { return drive_[k]; }
+  // b/k, and 1/k for sine and cosine turned by a quarter.
+  PENDULA_INLINE const S& friction(int k) const { return friction_[k]; }
+  PENDULA_INLINE const turn& turned(int k) const { return turn_[k]; }
+
+ private:
+  [[gnu::noinline]] void work_out(const S& frequency, const S& viscous, const S* inverse) {
+    S power(1.0);  // Ω^k/k!, with the signs of the derivatives cos, −sin, −cos, sin
+    for (std::size_t k = 0; k + 1 < turn_.size(); ++k) {
+      if (k > 0) power = power * (frequency * inverse[k]);
+      if (k % 2 == 1) power = -power;
+      drive_[k] = power * inverse[k + 1];
+      friction_[k + 1] = viscous * inverse[k + 1];
+      turn_[k + 1] = sine_with_cosine<S>::factor(inverse[k + 1]);
+    }
+  }
+
+  std::array<double, 3> key_{__builtin_nan(""), 0.0, 0.0};
+  std::vector<S> drive_, friction_;
+  std::vector<turn> turn_;
+};
+
 template <class S>
 class driven_pendulum_series : public one_bob_series<S> {
  public:
   explicit driven_pendulum_series(int order)
       : one_bob_series<S>(order),
+        factors_(this->velocity_.size()),
         turned_(this->velocity_.size()),
         stored_(this->velocity_.size()),
         velocities_(this->velocity_.size()),
@@ -61,38 +104,49 @@ class driven_pendulum_series : public one_bob_series<S> {
                              const vec<S, 2>& tail, const S* inverse) {
     S* const w = this->velocity_.data();
     if (!present(of.senses[0])) return this->velocity_.assign(this->velocity_.size(), S(0.0));
-    const bool moved = present(of.pivot.amplitude);
-    terms now{of, present(of.drive.amplitude), moved, present(of.viscous), present(of.quadratic), present(of.cubic)};
-    if (now.driven) now.drive.start(of.drive, t);
+    factors_.prepare(of, inverse);
+    const bool moved = present(of.pivot.amplitude), quadratic = present(of.quadratic), cubic = present(of.cubic);
+    terms now{of, moved, quadratic, cubic, inverse};
+    if (present(of.drive.amplitude)) {
+      const auto phase = of.drive.turned(t);
+      now.sine = of.drive.amplitude * phase.sin;
+      now.cosine = of.drive.amplitude * phase.cos;
+    }
     if (moved) now.pivot.start(of.pivot, t);
     const auto [s, c] = sincos_with_tail(sincos(point[0]), tail[0]);
     // without a moving pivot sine and cosine are carried times the frequency's square, and the pull is the sine
     turned_[0] = moved ? pair::of(s, c) : pair::of(of.frequency_squared * s, of.frequency_squared * c);
     w[0] = point[1];
     keep(0);
+    if (moved || quadratic || cubic) {
+      for (int k = 0; k < this->order_; k += 2) two_more<true>(now, k);
+      return;
+    }
     [&]<int... i>(std::integer_sequence<int, i...>) {
-      (void)((2 * i < this->order_ && (two_more(now, std::integral_constant<int, 2 * i>{}, inverse), true)) && ...);
+      (void)((2 * i < this->order_ && (two_more<false>(now, std::integral_constant<int, 2 * i>{}), true)) && ...);
     }(std::make_integer_sequence<int, unrolled>{});
-    for (int k = 2 * unrolled; k < this->order_; k += 2) two_more(now, k, inverse);
+    for (int k = 2 * unrolled; k < this->order_; k += 2) two_more<false>(now, k);
   }
 
  private:
   using pair = sine_with_cosine<S>;
   using two = detail::two_orders<S>;
   // Of one trajectory of doubles the loop over the orders is written out, up to the order of the finest tolerance: with
-  // its places known, what an order needs of those before it stays in registers. 319 ns a step, 371 in a loop. Not in a
-  // page, which would be a twentieth longer to load.
+  // its places known, what an order needs of those before it stays in registers. Not in a page, which would be a
+  // twentieth longer to load.
 #if defined(__wasm__)
   static constexpr int unrolled = 0;
 #else
-  static constexpr int unrolled = std::same_as<S, double> ? 14 : 0;
+  static constexpr int unrolled = std::same_as<S, double> ? 16 : 0;
 #endif
 
-  // Which terms the equation has, and its forces, as far as they have come.
+  // The equation, which of its longer terms it has, and the drive's sine and cosine.
   struct terms {
     const driven_pendulum::over<S>& of;
-    bool driven, moved, viscous, quadratic, cubic;
-    harmonic_series<S> drive{}, pivot{};
+    bool moved, quadratic, cubic;
+    const S* inverse;
+    S sine{0.0}, cosine{0.0};
+    harmonic_series<S> pivot{};
   };
 
   PENDULA_INLINE void keep(int k) {
@@ -102,23 +156,23 @@ class driven_pendulum_series : public one_bob_series<S> {
 
   // Orders k + 1 and k + 2, for an even k. Each order waits for the one before: its sum ends with the newest numbers,
   // which are multiplied by what has been worked out before they come.
-  template <class Place>
-  PENDULA_INLINE void two_more(terms& now, Place k, const S* inverse) {
+  template <bool longer, class Place>
+  PENDULA_INLINE void two_more(terms& now, Place k) {
     S* const w = this->velocity_.data();
     pair* const x = turned_.data();
-    const auto first = pair::factor(inverse[k + 1]), second = pair::factor(inverse[k + 2]);
-    w[k + 1] = next_velocity(now, k, inverse[k + 1], first);
+    const auto &first = factors_.turned(k + 1), &second = factors_.turned(k + 2);
+    w[k + 1] = next_velocity<longer>(now, k);
     if (k == 0) {
       x[1] = x[0].turned(first * w[0]);
       x[2] = x[0].turned(second) * w[1] + x[1].turned(second * w[0]);
     } else {
       const two older = k > 2 ? older_products(k) : two{pair::of(S(0.0), S(0.0)), x[1] * w[2]};
-      x[k + 1] = ((older.first.turned(first) + x[k - 1].turned(first * w[1])) + x[0].turned(first) * w[k]) +
-                 x[k].turned(first * w[0]);
-      x[k + 2] = ((older.second.turned(second) + x[k].turned(second * w[1])) + x[0].turned(second) * w[k + 1]) +
+      x[k + 1] =
+          ((older.first + x[k - 1] * w[1]).turned(first) + x[0].turned(first) * w[k]) + x[k].turned(first * w[0]);
+      x[k + 2] = ((older.second + x[k] * w[1]).turned(second) + x[0].turned(second) * w[k + 1]) +
                  x[k + 1].turned(second * w[0]);
     }
-    w[k + 2] = next_velocity(now, k + 1, inverse[k + 2], second);
+    w[k + 2] = next_velocity<longer>(now, k + 1);
     keep(k + 1);
     keep(k + 2);
   }
@@ -143,21 +197,29 @@ class driven_pendulum_series : public one_bob_series<S> {
     return {sum.first + edges.first, sum.second + edges.second};
   }
 
-  PENDULA_INLINE S next_velocity(terms& now, int k, const S& inverse, const typename pair::turn& factor) {
-    const S* const w = this->velocity_.data();
+  template <bool longer>
+  PENDULA_INLINE S next_velocity(terms& now, int k) {
     const auto& of = now.of;
-    S rate = now.moved ? -(of.frequency_squared * turned_[k].first()) : -turned_[k].first();
-    if (now.driven) rate = now.drive.order() + rate;
-    if (k == 0 && present(of.coulomb)) rate = rate - of.senses[0] * of.coulomb;
-    if (now.moved) rate = rate + moved_by(of, k, now.pivot.order());
-    if (now.quadratic || now.cubic) rate = rate - dragged(of, k, now.cubic);
-    if (now.driven) now.drive.advance(factor);
-    if (now.moved) now.pivot.advance(factor);
-    return now.viscous ? rate * inverse - (of.viscous * inverse) * w[k] : rate * inverse;
+    const S pull = now.moved ? of.frequency_squared * turned_[k].first() : turned_[k].first();
+    const S drive = factors_.drive(k) * (k % 2 == 0 ? now.cosine : now.sine);
+    S rate = drive - pull * now.inverse[k + 1];
+    if (k == 0 && present(of.coulomb)) rate = rate - of.senses[0] * of.coulomb * now.inverse[1];
+    if constexpr (longer) rate = rate + longer_terms(now, k) * now.inverse[k + 1];
+    return rate - factors_.friction(k + 1) * this->velocity_[k];
+  }
+
+  // Order k of what the pivot's motion adds, and of drag.
+  [[gnu::noinline]] S longer_terms(terms& now, int k) {
+    S sum(0.0);
+    if (now.moved) {
+      sum = moved_by(now.of, k, now.pivot.order());
+      now.pivot.advance(factors_.turned(k + 1));
+    }
+    return now.quadratic || now.cubic ? sum - dragged(now.of, k, now.cubic) : sum;
   }
 
   // Order k of what the pivot's motion adds.
-  [[gnu::noinline]] S moved_by(const driven_pendulum::over<S>& of, int k, const S& order) {
+  S moved_by(const driven_pendulum::over<S>& of, int k, const S& order) {
     pivot_[k] = order;
     pair sum = pair::of(S(0.0), S(0.0));
     for (int j = 0; j <= k; ++j) sum = sum + turned_[k - j] * pivot_[j];
@@ -165,7 +227,7 @@ class driven_pendulum_series : public one_bob_series<S> {
   }
 
   // Order k of σ d ω² + r ω³.
-  [[gnu::noinline]] S dragged(const driven_pendulum::over<S>& of, int k, bool cubic) {
+  S dragged(const driven_pendulum::over<S>& of, int k, bool cubic) {
     const S* const w = this->velocity_.data();
     S of_square(0.0), of_cube(0.0);
     for (int j = 0; j <= k; ++j) of_square = of_square + w[j] * w[k - j];
@@ -175,6 +237,7 @@ class driven_pendulum_series : public one_bob_series<S> {
     return of.senses[0] * of.quadratic * of_square + of.cubic * of_cube;
   }
 
+  driven_pendulum_factors<S> factors_;
   std::vector<pair> turned_;
   std::vector<typename two::turned> stored_;
   std::vector<typename two::velocities> velocities_;  // of order k and the one after it
