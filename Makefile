@@ -93,7 +93,8 @@ test-core: .venv/installed
 	$(BIN)/ctest --test-dir build/core --output-on-failure --parallel $(CORES)
 
 test-python: .venv/installed $(PAGE)
-	$(BIN)/pytest -n $(CORES)
+	# a worker for each core: threads of a library beside them would wait for one another
+	OPENBLAS_NUM_THREADS=1 $(BIN)/pytest -n $(CORES)
 
 # the page's own tests, and those in the system's Chromium (scripts/get-chromium)
 test-lab: .venv/installed $(PAGE)
