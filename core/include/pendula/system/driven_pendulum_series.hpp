@@ -105,8 +105,8 @@ class driven_pendulum_series : public one_bob_series<S> {
     S* const w = this->velocity_.data();
     if (!present(of.senses[0])) return this->velocity_.assign(this->velocity_.size(), S(0.0));
     factors_.prepare(of, inverse);
-    const bool moved = present(of.pivot.amplitude), quadratic = present(of.quadratic), cubic = present(of.cubic);
-    terms now{of, moved, quadratic, cubic, inverse};
+    const bool moved = present(of.pivot.amplitude);
+    terms now{of, moved, present(of.quadratic), present(of.cubic), inverse};
     if (present(of.drive.amplitude)) {
       const auto phase = of.drive.turned(t);
       now.sine = of.drive.amplitude * phase.sin;
@@ -118,14 +118,16 @@ class driven_pendulum_series : public one_bob_series<S> {
     turned_[0] = moved ? pair::of(s, c) : pair::of(of.frequency_squared * s, of.frequency_squared * c);
     w[0] = point[1];
     keep(0);
-    if (moved || quadratic || cubic) {
-      for (int k = 0; k < this->order_; k += 2) two_more<true>(now, k);
-      return;
+    int done = 0;
+    if constexpr (unrolled > 0) {
+      if (!now.longer()) {
+        [&]<int... i>(std::integer_sequence<int, i...>) {
+          (void)((2 * i < this->order_ && (two_more<false>(now, std::integral_constant<int, 2 * i>{}), true)) && ...);
+        }(std::make_integer_sequence<int, unrolled>{});
+        done = 2 * unrolled;
+      }
     }
-    [&]<int... i>(std::integer_sequence<int, i...>) {
-      (void)((2 * i < this->order_ && (two_more<false>(now, std::integral_constant<int, 2 * i>{}), true)) && ...);
-    }(std::make_integer_sequence<int, unrolled>{});
-    for (int k = 2 * unrolled; k < this->order_; k += 2) two_more<false>(now, k);
+    for (int k = done; k < this->order_; k += 2) two_more<true>(now, k);
   }
 
  private:
@@ -147,6 +149,8 @@ class driven_pendulum_series : public one_bob_series<S> {
     const S* inverse;
     S sine{0.0}, cosine{0.0};
     harmonic_series<S> pivot{};
+
+    bool longer() const { return moved || quadratic || cubic; }
   };
 
   PENDULA_INLINE void keep(int k) {
@@ -204,7 +208,8 @@ class driven_pendulum_series : public one_bob_series<S> {
     const S drive = factors_.drive(k) * (k % 2 == 0 ? now.cosine : now.sine);
     S rate = drive - pull * now.inverse[k + 1];
     if (k == 0 && present(of.coulomb)) rate = rate - of.senses[0] * of.coulomb * now.inverse[1];
-    if constexpr (longer) rate = rate + longer_terms(now, k) * now.inverse[k + 1];
+    if constexpr (longer)
+      if (now.longer()) rate = rate + longer_terms(now, k) * now.inverse[k + 1];
     return rate - factors_.friction(k + 1) * this->velocity_[k];
   }
 
