@@ -244,9 +244,9 @@ def test_energy_error_beside_a_whole_turn_is_not_that_of_the_angle(
     angle: float, omega: float
 ) -> None:
     """Its rounding is far larger than in the same swing about 0, where dop853 takes tiny steps."""
-    for method, end in (("taylor", 5.0), ("dop853", 0.05)):
-        for system, start in ((SIMPLE, (angle, omega)), (RODS, (angle, -angle, 0.0, omega))):
-            assert np.abs(solve(system, start, end, method).energy_error).max() < 1e-12
+    for system, start in ((SIMPLE, (angle, omega)), (RODS, (angle, -angle, 0.0, omega))):
+        for run in (solve(system, start, 5.0), solve(system, start, 0.05, "dop853")):
+            assert np.abs(run.energy_error).max() < 1e-12
 
 
 @pytest.mark.parametrize("angle", [1e-3, 1e-9, 1e-100, math.tau + 0.1])

@@ -19,13 +19,13 @@ watcher part_of(const watcher& whole, double from, double to) {
 
 void step_starts::add(const step_motion& motion) {
   constexpr std::size_t most = std::size_t{1} << 14;  // 3 MB
-  if (counted_++ % stride_ != 0) return;
+  if ((counted_++ & (stride_ - 1)) != 0) return;
   if (size() == most) {
     for (std::size_t i = 0; 2 * i < most; ++i)
       std::copy_n(numbers_.data() + 2 * i * width_, width_, numbers_.data() + i * width_);
     numbers_.resize(most / 2 * width_);
     stride_ *= 2;
-    if ((counted_ - 1) % stride_ != 0) return;
+    if (((counted_ - 1) & (stride_ - 1)) != 0) return;
   }
   step_memory start;
   motion.remember(start);

@@ -15,8 +15,8 @@ _POWER = 3  # of the window (1 + cos πs)^p: a line n bins away leaks as n^-(2p 
 BINS_APART = 2.0  # of two lines that are told apart
 _WIDE_BINS = 2.0 * (_POWER + 1)  # within which the window mixes two lines
 _PADDING = 4  # of the transform in which lines are looked for
-# Samples worked on at a time: products of larger matrices would be shared among the threads of a library, whose number
-# then changes the last bits, and take five times as long.
+# Samples worked on at a time: products of larger matrices would be shared among the threads of a
+# library, whose number then changes the last bits, and take five times as long.
 _BLOCK = 64
 _MORE_LINES = 16  # than are asked for are fitted
 _FAINTEST = 1e-14  # of the series' size: fainter lines are rounding

@@ -24,7 +24,7 @@ class step_starts {
  private:
   std::vector<double> numbers_;  // those of one start after the other: no more than there are, as memory is slow
   std::size_t width_ = 0;
-  std::int64_t stride_ = 8, counted_ = 0;
+  std::int64_t stride_ = 8, counted_ = 0;  // the stride a power of two
 };
 
 // States at any times of a run that was made.
