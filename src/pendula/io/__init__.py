@@ -113,12 +113,20 @@ def _run_again(old: Trajectory, source: Path) -> Trajectory:
     from pendula.run.exact import exact
     from pendula.run.solve import solve
 
-    asked = old.request
+    asked, derived_by = old.request, old.derivative_names or None
     try:
         if old.method == "exact":
-            return exact(old.system, asked.state, old.t, t0=asked.t0)
+            return exact(old.system, asked.state, old.t, t0=asked.t0, derivatives=derived_by)
         method = cast("MethodName", old.method)
-        return solve(old.system, asked.state, asked.t, method, t0=asked.t0, **asked.options)
+        return solve(
+            old.system,
+            asked.state,
+            asked.t,
+            method,
+            t0=asked.t0,
+            derivatives=derived_by,
+            **asked.options,
+        )
     except ValueError as error:
         raise NotATrajectoryError(f"{source} cannot be run again: {one_line(error)}") from error
 

@@ -14,6 +14,7 @@ from pendula._messages import one_line
 from pendula._version import __version__
 from pendula.io.checksums import of_column, of_recipe
 from pendula.io.columns import labelled
+from pendula.run.derivatives import CrossingDerivatives
 from pendula.run.events import Crossings
 from pendula.run.options import options_from
 from pendula.run.request import Request
@@ -54,11 +55,25 @@ def attributes(trajectory: Trajectory) -> str:
         ],
         "trust_horizon": _number(trajectory.trust_horizon),
         "precision": trajectory.precision,
+        **_derived(trajectory),
         "n_times": trajectory.t.size,
         "columns": {name: of_column(each) for name, each in labelled(trajectory).items()},
     }
     known["checksum"] = of_recipe(known)
     return json.dumps(known, ensure_ascii=True, allow_nan=False)
+
+
+def _derived(trajectory: Trajectory) -> dict[str, Any]:
+    """What the columns of derivatives are by, and derivatives of events; of most runs nothing."""
+    if trajectory.derivatives is None:
+        return {}
+    return {
+        "derived_by": list(trajectory.derivative_names),
+        "crossings_derived": [
+            {"times": each.times.tolist(), "states": each.states.tolist()}
+            for each in trajectory.event_derivatives
+        ],
+    }
 
 
 def _number(value: float | None) -> float | str | None:
@@ -74,8 +89,17 @@ def _asked_times(trajectory: Trajectory) -> float | list[float] | None:
     return None if t.size == trajectory.t.size else t.tolist()
 
 
-def from_attributes(known: dict[str, Any], t: Array, states: Array, source: Path) -> Trajectory:
-    """The trajectory of a file's recipe, times (n,) and states (..., n, d).
+def from_attributes(
+    known: dict[str, Any], t: Array, states: Array, derivatives: Array | None, source: Path
+) -> Trajectory:
+    """The trajectory of a file's recipe.
+
+    Args:
+        known: the recipe.
+        t: times, (n,) [s].
+        states: (..., n, d).
+        derivatives: (..., n, d, k); None: it has none.
+        source: the file, for errors.
 
     Raises:
         NotATrajectoryError: where the recipe is not that of a trajectory.
@@ -93,6 +117,8 @@ def from_attributes(known: dict[str, Any], t: Array, states: Array, source: Path
         counts = operator.index(known["n_steps"]), operator.index(known["n_evaluations"])
         outcome = one_of("outcome", known["outcome"], OUTCOMES)
         run = Trajectory(system, method, t, states, request, outcome, *counts, **_found(known))
+        if derivatives is not None:
+            run = replace(run, derivatives=derivatives, **_found_derived(known, len(run.events)))
         reached = known["reached"] if "reached" in known else _reached(run)
         return replace(run, reached=float(reached))
     except (AttributeError, KeyError, OverflowError, TypeError, ValueError) as error:
@@ -134,3 +160,20 @@ def _found(known: dict[str, Any]) -> dict[str, Any]:
         "trust_horizon": None if horizon is None else float(horizon),
         "precision": known.get("precision"),
     }
+
+
+def _found_derived(known: dict[str, Any], events: int) -> dict[str, Any]:
+    """What derivatives are by, and those of events."""
+    import numpy as np
+
+    names, width = tuple(map(str, known["derived_by"])), len(known["state"])
+    derived = tuple(
+        CrossingDerivatives(
+            np.array(each["times"], dtype=np.float64).reshape(-1, len(names)),
+            np.array(each["states"], dtype=np.float64).reshape(-1, width, len(names)),
+        )
+        for each in known["crossings_derived"]
+    )
+    if derived and len(derived) != events:
+        raise ValueError(f"derivatives of {len(derived)} events of {events}")
+    return {"derivative_names": names, "event_derivatives": derived}

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from pendula import _engine
+from pendula.run.derivatives import derivative_columns
 
 if TYPE_CHECKING:
     from collections.abc import Collection
@@ -28,6 +29,9 @@ def columns(trajectory: Trajectory) -> dict[str, tuple[str, Array]]:
     table["energy_error"] = ("1", trajectory.energy_error)
     if any(_engine.powers(trajectory.system.name)) and trajectory.request.digits is None:
         table["work"], table["heat"] = ("J", trajectory.work), ("J", trajectory.heat)
+    if trajectory.derivatives is not None:
+        names = trajectory.derivative_names
+        table |= derivative_columns(trajectory.system, names, trajectory.derivatives)
     return table
 
 

@@ -11,6 +11,7 @@ from pendula._checks import extra
 from pendula._late_methods import method_of
 from pendula.io.attributes import attributes
 from pendula.io.columns import columns, labelled
+from pendula.run.derivatives import derivative_columns
 from pendula.run.trajectory import Trajectory
 
 if TYPE_CHECKING:
@@ -45,17 +46,19 @@ def to_xarray(trajectory: Trajectory) -> xr.Dataset:
     """A dataset over t, units on each variable (extra: io).
 
     For several motions also over trajectory; for a grid of them, from states (m1, m2, …, d), over
-    trajectory1, trajectory2 and so on. Derivatives are over component and derived_by, too; files
-    do not hold them.
+    trajectory1, trajectory2 and so on. Derivatives are one variable over component and derived_by,
+    too; in files they are columns, such as "dtheta_dlength".
 
     Its attribute "pendula" describes the run as JSON, from which `rerun` repeats the run.
     """
-    dataset = stored_dataset(trajectory)
+    dataset, names = stored_dataset(trajectory), trajectory.derivative_names
     if trajectory.derivatives is not None:
+        single = derivative_columns(trajectory.system, names, trajectory.derivatives)
+        dataset = dataset.drop_vars(list(single))
         over = (*dataset["energy_error"].dims, "component", "derived_by")
         dataset["derivatives"] = (over, trajectory.derivatives)
         dataset["component"] = list(trajectory.system.components)
-        dataset["derived_by"] = list(trajectory.derivative_names)
+        dataset["derived_by"] = list(names)
     return dataset
 
 

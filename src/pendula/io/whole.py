@@ -15,9 +15,10 @@ from pendula._messages import one_line
 from pendula.io.attributes import NotATrajectoryError
 from pendula.io.checksums import of_column, of_recipe
 from pendula.io.columns import TIME, states_labels
+from pendula.run.derivatives import derivative_name
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Mapping
+    from collections.abc import Callable, Mapping, Sequence
     from pathlib import Path
 
     from pendula._types import Array
@@ -131,8 +132,8 @@ class Whole:
         self._known, self._stored, self._source = known, stored, source
         self._checksums: Mapping[str, str] = known.get("columns", {})
 
-    def table(self) -> tuple[Array, Array]:
-        """Times (n,) and states (..., n, d).
+    def table(self) -> tuple[Array, Array, Array | None]:
+        """Times (n,), states (..., n, d), and derivatives (..., n, d, k) where there are any.
 
         Raises:
             NotATrajectoryError: naming the column, and the row where it can be told.
@@ -156,7 +157,24 @@ class Whole:
             self._check_sum(name, values)
         for label in self._checksums.keys() - {TIME, *names}:
             self._check_sum(label, self._column(label, shape))
-        return times, np.stack(list(columns.values()), axis=-1)
+        return times, np.stack(list(columns.values()), axis=-1), self._derivatives(names, shape)
+
+    def _derivatives(self, names: Sequence[str], shape: tuple[int, ...]) -> Array | None:
+        """Of the states by what the recipe says, (..., n, d, k); None: it says nothing."""
+        import numpy as np
+
+        by = self._known.get("derived_by")
+        if not by:
+            return None
+        labels = {label.partition(" [")[0]: label for label in self._stored.shapes}
+        wanted = [
+            [derivative_name(name.partition(" [")[0], str(each)) for each in by] for name in names
+        ]
+        for name in (each for row in wanted for each in row):
+            if name not in labels:
+                raise damaged(self._source, f"the column {name} is missing")
+        found = [[self._column(labels[name], shape) for name in row] for row in wanted]
+        return np.stack([np.stack(row, axis=-1) for row in found], axis=-2)
 
     def _count(self) -> int:
         """The number of times, before memory is taken for them."""

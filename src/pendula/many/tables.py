@@ -13,6 +13,7 @@ from pendula._late_methods import method_of
 from pendula._version import __version__
 from pendula._writing import refuse_existing, replacing
 from pendula.many.ensembles import Ensemble
+from pendula.run.derivatives import derivative_columns
 from pendula.systems import System
 
 if TYPE_CHECKING:
@@ -32,7 +33,8 @@ def to_xarray(many: Ensemble) -> xr.Dataset:
 
     For each trajectory its start (`theta_start` …), outcome, steps and, where the systems differ,
     their parameters; of the first event `event1_trajectory`, `event1_t` and the states there
-    (`event1_theta` …) over `event1`, and so on. The attribute "pendula" says as JSON what was run.
+    (`event1_theta` …) over `event1`, and so on. Derivatives are one variable each, such as
+    "dtheta_dlength". The attribute "pendula" says as JSON what was run.
     """
     xarray = extra("xarray", "io")
     times = (_TIME, many.t, {"units": "s", "long_name": "time"})
@@ -63,6 +65,8 @@ def to_pandas(many: Ensemble) -> pd.DataFrame:
     states = many.states.reshape(-1, d).T
     for each, values in zip(_components(many), states, strict=True):
         columns[f"{each.name} [{each.unit}]"] = values
+    for name, (unit, found) in _derivatives(many).items():
+        columns[f"{name} [{unit}]"] = found.reshape(-1)
     columns["energy [J]"] = energies
     columns["outcome"] = np.repeat(many.outcomes, m)
     table: pd.DataFrame = pandas.DataFrame({name: each[kept] for name, each in columns.items()})
@@ -123,6 +127,8 @@ def _variables(many: Ensemble) -> Iterator[tuple[str, tuple[str, ...], Any, dict
         yield f"{each.name}_start", one, many.starts[:, i], _attributes(each.unit, meaning)
     for i, each in enumerate(components):
         yield each.name, over_time, many.states[..., i], _attributes(each.unit, each.meaning)
+    for name, (unit, found) in _derivatives(many).items():
+        yield name, over_time, found, _attributes(unit, "derivative of the state")
     zero = "total energy, zero at rest at the lowest point"
     yield "energy", over_time, many.energy, _attributes("J", zero)
     if many.trust_horizon is not None:
@@ -148,6 +154,14 @@ def _parameters(many: Ensemble) -> Iterator[tuple[_engine.Parameter, Any]]:
         return
     for row in many.systems[0]._rows():
         yield row, np.array([each.parameters[row.name] for each in many.systems])
+
+
+def _derivatives(many: Ensemble) -> dict[str, tuple[str, Any]]:
+    """Name → (unit, values (n, m)); none where they were not asked for."""
+    if many.derivatives is None:
+        return {}
+    one = many.systems if isinstance(many.systems, System) else many.systems[0]
+    return derivative_columns(one, many.derivative_names, many.derivatives)
 
 
 def _components(many: Ensemble) -> tuple[_engine.Component, ...]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable
 from dataclasses import replace
 from typing import TYPE_CHECKING, NamedTuple
@@ -121,3 +122,35 @@ def exact_derivatives(
         for start in state.reshape(-1, 2)
     ]
     return np.reshape(derived, (*state.shape[:-1], t.size, 2, len(names)))
+
+
+def derivative_columns(
+    system: System, names: tuple[str, ...], derivatives: Array
+) -> dict[str, tuple[str, Array]]:
+    """Name → (unit, values) of each derivative in tables and files: "dtheta_dlength" in rad/m.
+
+    Args:
+        system: whose states they are of.
+        names: what the states are derived by.
+        derivatives: (..., d, k).
+    """
+    units = system.component_units | {row.name: row.unit for row in system._rows()}
+    return {
+        derivative_name(component, by): (
+            _quotient(units[component], units[by]),
+            derivatives[..., i, k],
+        )
+        for i, component in enumerate(system.components)
+        for k, by in enumerate(names)
+    }
+
+
+def derivative_name(component: str, by: str) -> str:
+    """Of a component of the state by one of the start, or by a parameter."""
+    return f"d{component}_d{by}"
+
+
+def _quotient(unit: str, by: str) -> str:
+    if by == unit:
+        return "1"
+    return f"{unit}/({by})" if re.search(r"[ /]", by) else f"{unit}/{by}" if by else unit
