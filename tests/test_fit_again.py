@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 
 from pendula import _engine
-from pendula.measured import Measurement, fit
+from pendula.measured import Measurement, compare_models, fit
 from pendula.measured.noise import Series, filtered
 from simulated import clean, swing
 from test_fit import THREE
@@ -59,25 +59,28 @@ def test_noise_is_summed_as_its_covariance_says() -> None:
         np.testing.assert_allclose(found, expected, atol=1e-13 * np.abs(expected).max())
 
 
-# a swing, and a chaotic motion in so many windows that their matrix is shared among threads
-OF_SWING = "clean(seconds=60.0, rate=100.0, viscous=0.02, coulomb=0.01), 'viscous + coulomb'"
-OF_WINDOWS = (
-    "recorded(pendula.DampedDoublePendulum.bobs(viscous=(0.01, 0.01)), (2.5, 2.5, 0, 0))"
-    ", 'viscous', windows=0.5"
-)
+OF_A_FIT = """
+from simulated import clean
+from pendula.measured import fit
+swing = clean(seconds=60.0, rate=100.0, viscous=0.02, coulomb=0.01)
+made = fit(swing, "viscous + coulomb")
+bits = made.values.tobytes() + made.covariance.tobytes() + made.residuals.tobytes()
+"""
+# as large as those of a chaotic motion in fifty windows, which would take a minute
+OF_LARGE_MATRICES = """
+import numpy as np
+from pendula.measured.one_thread import on_one_thread
+random = np.random.default_rng(1)
+rows, wanted = random.normal(size=(3000, 250)), random.normal(size=3000)
+solved = on_one_thread(lambda: (np.linalg.lstsq(rows, wanted, rcond=None)[0], rows.T @ rows))
+bits = b"".join(each.tobytes() for each in solved())
+"""
 
 
-@pytest.mark.parametrize("case", [OF_SWING, OF_WINDOWS])
-def test_the_bits_do_not_depend_on_threads(case: str) -> None:
-    program = (
-        "import hashlib, sys; sys.path[:0] = sys.argv[1:]\n"
-        "import pendula\n"
-        "from simulated import clean, recorded\n"
-        "from pendula.measured import fit\n"
-        f"made = fit({case})\n"
-        "bits = made.values.tobytes() + made.covariance.tobytes() + made.residuals.tobytes()\n"
-        "print(hashlib.sha256(bits).hexdigest())\n"
-    )
+@pytest.mark.parametrize("program", [OF_A_FIT, OF_LARGE_MATRICES], ids=["fit", "matrices"])
+def test_the_bits_do_not_depend_on_threads(program: str) -> None:
+    program = f"import hashlib, sys; sys.path[:0] = sys.argv[1:]\n{program}"
+    program += "print(hashlib.sha256(bits).hexdigest())\n"
 
     def hashed(threads: int) -> str:
         names = ("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS", "MKL_NUM_THREADS")
@@ -87,3 +90,9 @@ def test_the_bits_do_not_depend_on_threads(case: str) -> None:
         return done.stdout
 
     assert hashed(1) == hashed(2) == hashed(4)
+
+
+def test_fits_and_comparisons_run_on_one_thread() -> None:
+    for function in (fit, compare_models):
+        inner = vars(function)["__wrapped__"]
+        assert inner.__name__ == function.__name__
