@@ -17,7 +17,7 @@ TIME = "t [s]"
 
 
 def columns(trajectory: Trajectory) -> dict[str, tuple[str, Array]]:
-    """Name → (unit, values) of everything a file holds; states first, then what follows from them.
+    """Name → (unit, values): states first, then what follows from them.
 
     Values have the shape of the times, (n,), or (m, n) for several exact solutions.
     """
@@ -29,15 +29,24 @@ def columns(trajectory: Trajectory) -> dict[str, tuple[str, Array]]:
     table["energy_error"] = ("1", trajectory.energy_error)
     if any(_engine.powers(trajectory.system.name)) and trajectory.request.digits is None:
         table["work"], table["heat"] = ("J", trajectory.work), ("J", trajectory.heat)
-    if trajectory.derivatives is not None:
-        names = trajectory.derivative_names
-        table |= derivative_columns(trajectory.system, names, trajectory.derivatives)
     return table
+
+
+def stored_columns(trajectory: Trajectory) -> dict[str, tuple[str, Array]]:
+    """Name → (unit, values) of everything a file holds: the columns, and one a derivative."""
+    if trajectory.derivatives is None:
+        return columns(trajectory)
+    names = trajectory.derivative_names
+    return columns(trajectory) | derivative_columns(
+        trajectory.system, names, trajectory.derivatives
+    )
 
 
 def labelled(trajectory: Trajectory) -> dict[str, Array]:
     """The times and the columns, by label: "theta [rad]"."""
-    table = {f"{name} [{unit}]": values for name, (unit, values) in columns(trajectory).items()}
+    table = {
+        f"{name} [{unit}]": values for name, (unit, values) in stored_columns(trajectory).items()
+    }
     return {TIME: trajectory.t, **table}
 
 

@@ -10,13 +10,14 @@ from pendula._attributes import KEY
 from pendula._checks import extra
 from pendula._late_methods import method_of
 from pendula.io.attributes import attributes
-from pendula.io.columns import columns, labelled
-from pendula.run.derivatives import derivative_columns
+from pendula.io.columns import columns, labelled, stored_columns
 from pendula.run.trajectory import Trajectory
 
 if TYPE_CHECKING:
     import pandas as pd
     import xarray as xr
+
+    from pendula._types import Array
 
 
 def one_motion(trajectory: Trajectory, what: str) -> None:
@@ -51,27 +52,26 @@ def to_xarray(trajectory: Trajectory) -> xr.Dataset:
 
     Its attribute "pendula" describes the run as JSON, from which `rerun` repeats the run.
     """
-    dataset, names = stored_dataset(trajectory), trajectory.derivative_names
+    dataset = _dataset(trajectory, columns(trajectory))
     if trajectory.derivatives is not None:
-        single = derivative_columns(trajectory.system, names, trajectory.derivatives)
-        dataset = dataset.drop_vars(list(single))
         over = (*dataset["energy_error"].dims, "component", "derived_by")
         dataset["derivatives"] = (over, trajectory.derivatives)
         dataset["component"] = list(trajectory.system.components)
-        dataset["derived_by"] = list(names)
+        dataset["derived_by"] = list(trajectory.derivative_names)
     return dataset
 
 
 def stored_dataset(trajectory: Trajectory) -> xr.Dataset:
-    """What files hold of the dataset."""
+    """What files hold: a variable for each derivative."""
+    return _dataset(trajectory, stored_columns(trajectory))
+
+
+def _dataset(trajectory: Trajectory, table: dict[str, tuple[str, Array]]) -> xr.Dataset:
     xarray = extra("xarray", "io")
     axes = trajectory.states.ndim - 2
     grid = ["trajectory"] if axes == 1 else [f"trajectory{i}" for i in range(1, axes + 1)]
     dims = (*grid, "t")
-    variables = {
-        name: (dims, values, {"units": unit})
-        for name, (unit, values) in columns(trajectory).items()
-    }
+    variables = {name: (dims, values, {"units": unit}) for name, (unit, values) in table.items()}
     dataset: xr.Dataset = xarray.Dataset(
         variables,
         coords={"t": ("t", trajectory.t, {"units": "s"})},
