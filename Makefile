@@ -41,12 +41,15 @@ help:
 .venv/modules: .venv/packages FORCE
 	@find src/pendula -name '*.py' | sort | cmp -s - $@ || find src/pendula -name '*.py' | sort >$@
 
-.venv/installed: .venv/packages .venv/modules pyproject.toml $(COMPILED)
-	@PATH="$(BIN):$$PATH" CMAKE_BUILD_PARALLEL_LEVEL=$(CORES) SKBUILD_CMAKE_DEFINE=PENDULA_STRICT=ON $(FOR_UV) \
+# For this computer; with the loops of lesser processors, too, for the tests and the benchmarks, and once they are there.
+LEAST = $(if $(wildcard .venv/every-machine)$(filter %every-machine,$@),plain,here)
+.venv/installed .venv/every-machine: .venv/packages .venv/modules pyproject.toml $(COMPILED)
+	@PATH="$(BIN):$$PATH" CMAKE_BUILD_PARALLEL_LEVEL=$(CORES) \
+	  SKBUILD_CMAKE_DEFINE="PENDULA_STRICT=ON;PENDULA_LEAST_MACHINE=$(LEAST)" $(FOR_UV) \
 	  scripts/with-progress "compiling the core" build/install.log .tools/bin/uv pip install -v --no-build-isolation --no-deps -e .
-	@touch $@
+	@touch .venv/installed $@ $(wildcard .venv/every-machine)
 
-.venv/bench: requirements-bench.lock .venv/installed
+.venv/bench: requirements-bench.lock .venv/every-machine
 	$(UV) pip install -q --require-hashes --no-deps -r requirements-bench.lock
 	@touch $@
 
@@ -85,23 +88,23 @@ study: .venv/installed
 # ---- tests: the core on each instruction set and under the sanitizers, then the package ----
 test: test-core test-python test-lab
 
-test-core: .venv/installed
+test-core: .venv/every-machine
 	@$(BIN)/cmake -S . -B build/core -G Ninja -DCMAKE_MAKE_PROGRAM=$(BIN)/ninja -DPython_EXECUTABLE=$(BIN)/python \
 	  -DPENDULA_PYTHON=OFF -DPENDULA_TESTS=ON -DPENDULA_STRICT=ON \
 	  -DPENDULA_BUILT="$$(ls -dt $(CURDIR)/build/cp*/core/src | head -1)" >build/core.log || { cat build/core.log; exit 1; }
 	@$(BIN)/cmake --build build/core --parallel $(CORES) >build/core.log || { cat build/core.log; exit 1; }
 	$(BIN)/ctest --test-dir build/core --output-on-failure --parallel $(CORES)
 
-test-python: .venv/installed $(PAGE)
+test-python: .venv/every-machine $(PAGE)
 	# a worker for each core: threads of a library beside them would wait for one another
 	OPENBLAS_NUM_THREADS=1 $(BIN)/pytest -n $(CORES)
 
 # the page's own tests, and those in the system's Chromium (scripts/get-chromium)
-test-lab: .venv/installed $(PAGE)
+test-lab: .venv/every-machine $(PAGE)
 	@scripts/npm run --silent test
 	@scripts/npm run --silent browser
 
-lint: .venv/installed web/node_modules/.package-lock.json
+lint: .venv/every-machine web/node_modules/.package-lock.json
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
 	$(BIN)/clang-format --dry-run -Werror $(SOURCES)

@@ -58,8 +58,8 @@ def digest_on(machine: str) -> tuple[str, str]:
 
 def test_every_machine_gives_the_same_bits() -> None:
     known = machines()
-    if known == ["plain"]:
-        pytest.skip("this processor is none of the machines that loops are built for")
+    if len(known) == 1:
+        pytest.skip(f"on this processor this build runs the loops of {known[0]} alone")
     found = dict(map(digest_on, known))
     assert list(found) == known
     assert len(set(found.values())) == 1, found

@@ -15,9 +15,10 @@ extern const exact_kernel exact_loops;
 namespace avx512 {
 extern const exact_kernel exact_loops;
 }  // namespace avx512
-static const exact_kernel* const kernels[] = {&plain::exact_loops, &avx2::exact_loops, &avx512::exact_loops};
+static constexpr const exact_kernel* kernels[] = {until(machine::plain, plain::exact_loops),
+                                              until(machine::avx2, avx2::exact_loops), &avx512::exact_loops};
 #else
-static const exact_kernel* const kernels[] = {&plain::exact_loops};
+static constexpr const exact_kernel* kernels[] = {&plain::exact_loops};
 #endif
 
 std::span<const exact_kernel* const> all_exact() { return built_for_here(kernels); }

@@ -9,7 +9,7 @@
 #include "pendula/system/double_pendulum.hpp"
 #include "pendula/system/linear_pendulum.hpp"
 
-using harmonic = pendula::linear_pendulum::over<double>;
+using oscillator = pendula::linear_pendulum::over<double>;
 using rods = pendula::double_pendulum::over<double>;
 
 inline const double unit[] = {1.0, 1.0, 1.0};

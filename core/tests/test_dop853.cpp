@@ -80,10 +80,10 @@ BOOST_AUTO_TEST_CASE(dop853_follows_the_rods) {
 BOOST_AUTO_TEST_CASE(dop853_follows_a_small_swing_to_parts_of_its_size) {
   const auto system = linear_pendulum::make<double>(0, unit);
   for (const double amplitude : {1.0, 1e-9}) {
-    const auto found = run(system, harmonic::state{amplitude, 0.0}, {1.0, 10.0, 100.0}, -46.0).states;
+    const auto found = run(system, oscillator::state{amplitude, 0.0}, {1.0, 10.0, 100.0}, -46.0).states;
     for (std::size_t i = 0; i < 3; ++i) {
       const double t = std::array{1.0, 10.0, 100.0}[i];
-      const harmonic::state exact{amplitude * std::cos(t), -amplitude * std::sin(t)};
+      const oscillator::state exact{amplitude * std::cos(t), -amplitude * std::sin(t)};
       BOOST_TEST(distance(found[i], exact) < 1e-13 * t * amplitude);
     }
   }

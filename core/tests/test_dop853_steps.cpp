@@ -30,7 +30,7 @@ BOOST_AUTO_TEST_CASE(the_polynomials_of_a_step_are_its_dense_output) {
 
 BOOST_AUTO_TEST_CASE(events_are_found_inside_the_steps_of_dop853) {
   const auto system = linear_pendulum::make<double>(0, unit);
-  dop853_stepper<harmonic> stepper(system, -46.0);
+  dop853_stepper<oscillator> stepper(system, -46.0);
   stepper.start(0.0, {1.0, 0.0});
   notebook found;
   const event passes_zero[] = {{event_kind::angle}};
@@ -136,9 +136,9 @@ BOOST_AUTO_TEST_CASE(units_do_not_matter_to_dop853) {
 }
 
 BOOST_AUTO_TEST_CASE(at_rest_dop853_takes_steps_of_a_finite_length) {
-  const auto found = run(linear_pendulum::make<double>(0, unit), harmonic::state{0.0, 0.0}, {1e4}, -52.0);
+  const auto found = run(linear_pendulum::make<double>(0, unit), oscillator::state{0.0, 0.0}, {1e4}, -52.0);
   BOOST_TEST(name_of(found.result.ended) == "reached_end");
-  BOOST_TEST((found.states[0] == harmonic::state{0.0, 0.0}));
+  BOOST_TEST((found.states[0] == oscillator::state{0.0, 0.0}));
   BOOST_TEST(found.result.steps > 1000);
   BOOST_TEST(found.result.steps < 2000);
 }

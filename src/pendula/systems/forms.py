@@ -69,6 +69,9 @@ class SystemOfForms(System):
         """The parameters of the form by name, in SI units."""
         return dict(zip((row.name for row in self._rows()), self.values, strict=True))
 
+    def _description(self) -> _engine.Description:
+        return _engine.describe(self.name, self.form, self.values)
+
     def __getattr__(self, name: str) -> float:
         if name.startswith("_") or name == "values" or name not in self.parameters:
             raise AttributeError(f"{type(self).__name__} has no attribute {name!r}")

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <span>
 #include <string_view>
 
@@ -11,15 +12,31 @@ namespace pendula {
 enum class machine { plain, avx2, avx512 };
 inline constexpr std::string_view machine_names[] = {"plain", "avx2", "avx512"};
 
+// The least machine that this program serves: kernels for lesser ones alone are not in it (core/src/CMakeLists.txt).
+#ifdef PENDULA_LEAST_MACHINE
+inline constexpr machine least_machine = machine::PENDULA_LEAST_MACHINE;
+#else
+inline constexpr machine least_machine = machine::plain;
+#endif
+
 // The best that this processor is, or the lesser one that the environment variable PENDULA_MACHINE names.
-// Throws std::invalid_argument where that names none.
+// Throws std::invalid_argument where that names none, or one that this program does not serve.
 machine machine_here();
 
-// Of builds for one machine after another, those that run here, the best one last; perhaps none.
-template <class Kernels, std::size_t n>
-std::span<const Kernels* const> built_for_here(const Kernels* const (&all)[n], machine first = machine::plain) {
+// A kernel that is of use up to the machine `last`; null where it is not in this program.
+template <class Kernel>
+constexpr const Kernel* until(machine last, const Kernel& kernel) {
+  return last < least_machine ? nullptr : &kernel;
+}
+
+// Of builds for one machine after another, those that run here, the best one last; perhaps none. Those that are not in
+// this program come first.
+template <class Kernel, std::size_t n>
+std::span<const Kernel* const> built_for_here(const Kernel* const (&all)[n], machine first = machine::plain) {
   const int count = static_cast<int>(machine_here()) - static_cast<int>(first) + 1;
-  return {all, static_cast<std::size_t>(std::clamp(count, 0, static_cast<int>(n)))};
+  const auto missing = std::count(std::begin(all), std::end(all), nullptr);
+  const std::span<const Kernel* const> here(all, static_cast<std::size_t>(std::clamp(count, 0, static_cast<int>(n))));
+  return here.subspan(std::min(here.size(), static_cast<std::size_t>(missing)));
 }
 
 }  // namespace pendula

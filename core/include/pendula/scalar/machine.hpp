@@ -24,6 +24,14 @@ template <int W, class Place>
 PENDULA_INLINE pack<double, W> shuffled(pack<double, W> a, pack<double, W> b, Place place) {
   return pack<double, W>(shuffled(a.v, b.v, place, std::make_integer_sequence<int, W>{}));
 }
+template <class Vector, int... i>
+PENDULA_INLINE auto joined(Vector low, Vector high, std::integer_sequence<int, i...>) {
+  return __builtin_shufflevector(low, high, i...);
+}
+template <int first, class Vector, int... i>
+PENDULA_INLINE auto part(Vector all, std::integer_sequence<int, i...>) {
+  return __builtin_shufflevector(all, all, (first + i)...);
+}
 }  // namespace detail
 
 // Lanes from and to memory, as they lie there and as pairs, whose first numbers go to one and second ones to the other.
@@ -61,19 +69,23 @@ PENDULA_INLINE void store_pairs(pack<double, W> first, pack<double, W> second, d
   }
 }
 
-// Twice as many lanes, and each half of them.
+// Twice as many lanes, and each half of them; in registers, where a copy through memory would be waited for.
 template <int W>
 PENDULA_INLINE pack<double, 2 * W> joined(pack<double, W> low, pack<double, W> high) {
-  pack<double, 2 * W> both;
-  std::memcpy(&both, &low, sizeof low);
-  std::memcpy(reinterpret_cast<char*>(&both) + sizeof low, &high, sizeof high);
-  return both;
+  if constexpr (2 * W > lanes_of_machine) {
+    return {low, high};
+  } else {
+    return pack<double, 2 * W>(detail::joined(low.v, high.v, std::make_integer_sequence<int, 2 * W>{}));
+  }
 }
 template <int W>
 PENDULA_INLINE std::array<pack<double, W / 2>, 2> halves(pack<double, W> both) {
-  std::array<pack<double, W / 2>, 2> result;
-  std::memcpy(&result, &both, sizeof both);
-  return result;
+  if constexpr (W > lanes_of_machine) {
+    return {both.low, both.high};
+  } else {
+    constexpr auto half = std::make_integer_sequence<int, W / 2>{};
+    return {pack<double, W / 2>(detail::part<0>(both.v, half)), pack<double, W / 2>(detail::part<W / 2>(both.v, half))};
+  }
 }
 
 // The lanes in another order, or some of them more than once.

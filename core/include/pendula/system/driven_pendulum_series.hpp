@@ -102,7 +102,6 @@ class driven_pendulum_series : public one_bob_series<S> {
 
   PENDULA_INLINE void expand(const driven_pendulum::over<S>& of, const head_and_tail<S>& t, const vec<S, 2>& point,
                              const vec<S, 2>& tail, const S* inverse) {
-    S* const w = this->velocity_.data();
     if (!present(of.senses[0])) return this->velocity_.assign(this->velocity_.size(), S(0.0));
     factors_.prepare(of, inverse);
     const bool moved = present(of.pivot.amplitude);
@@ -115,19 +114,16 @@ class driven_pendulum_series : public one_bob_series<S> {
     if (moved) now.pivot.start(of.pivot, t);
     const auto [s, c] = sincos_with_tail(sincos(point[0]), tail[0]);
     // without a moving pivot sine and cosine are carried times the frequency's square, and the pull is the sine
-    turned_[0] = moved ? pair::of(s, c) : pair::of(of.frequency_squared * s, of.frequency_squared * c);
-    w[0] = point[1];
-    keep(0);
-    int done = 0;
+    at_hand h = first_orders(now, point[1],
+                             moved ? pair::of(s, c) : pair::of(of.frequency_squared * s, of.frequency_squared * c));
+    int done = 2;
     if constexpr (unrolled > 0) {
       if (!now.longer()) {
-        [&]<int... i>(std::integer_sequence<int, i...>) {
-          (void)((2 * i < this->order_ && (two_more<false>(now, std::integral_constant<int, 2 * i>{}), true)) && ...);
-        }(std::make_integer_sequence<int, unrolled>{});
-        done = 2 * unrolled;
+        written_out(now, h, std::make_integer_sequence<int, unrolled>{});
+        done += 2 * unrolled;
       }
     }
-    for (int k = done; k < this->order_; k += 2) two_more<true>(now, k);
+    for (int k = done; k < this->order_; k += 2) two_more<true>(now, h, k);
   }
 
  private:
@@ -139,7 +135,7 @@ class driven_pendulum_series : public one_bob_series<S> {
 #if defined(__wasm__)
   static constexpr int unrolled = 0;
 #else
-  static constexpr int unrolled = std::same_as<S, double> ? 16 : 0;
+  static constexpr int unrolled = std::same_as<S, double> ? 15 : 0;
 #endif
 
   // The equation, which of its longer terms it has, and the drive's sine and cosine.
@@ -153,41 +149,67 @@ class driven_pendulum_series : public one_bob_series<S> {
     bool longer() const { return moved || quadratic || cubic; }
   };
 
-  PENDULA_INLINE void keep(int k) {
-    stored_[k] = two::stored(turned_[k]);
-    if (k > 0) velocities_[k - 1] = two::stored(this->velocity_[k - 1], this->velocity_[k]);
+  // The orders that the next ones are worked out from, but for older products: the first three, and the newest. They
+  // stand in registers, where what is read from memory again would be waited for.
+  struct at_hand {
+    S w0, w1, w2, two_before, before, newest;  // of the velocity
+    pair x0, x1, x2, pair_before, newest_pair;
+  };
+
+  PENDULA_INLINE void keep(int k, const S& before, const S& w, const pair& x) {
+    this->velocity_[k] = w;
+    turned_[k] = x;
+    stored_[k] = two::stored(x);
+    velocities_[k - 1] = two::stored(before, w);
   }
 
-  // Orders k + 1 and k + 2, for an even k. Each order waits for the one before: its sum ends with the newest numbers,
+  // All further orders, for one trajectory of doubles.
+  template <int... i>
+  [[gnu::noinline]] void written_out(terms& now, at_hand h, std::integer_sequence<int, i...>) {
+    (void)((2 * i + 2 < this->order_ && (two_more<false>(now, h, std::integral_constant<int, 2 * i + 2>{}), true)) &&
+           ...);
+  }
+
+  PENDULA_INLINE at_hand first_orders(terms& now, const S& w0, const pair& x0) {
+    const auto &first = factors_.turned(1), &second = factors_.turned(2);
+    this->velocity_[0] = w0;
+    turned_[0] = x0;
+    stored_[0] = two::stored(x0);
+    const S w1 = next_velocity<true>(now, 0, x0, w0);
+    const pair x1 = x0.turned(first * w0);
+    keep(1, w0, w1, x1);
+    const S w2 = next_velocity<true>(now, 1, x1, w1);
+    const pair x2 = x0.turned(second) * w1 + x1.turned(second * w0);
+    keep(2, w1, w2, x2);
+    return {w0, w1, w2, w0, w1, w2, x0, x1, x2, x1, x2};
+  }
+
+  // Orders k + 1 and k + 2, for an even k > 0. Each order waits for the one before: its sum ends with the newest numbers,
   // which are multiplied by what has been worked out before they come.
   template <bool longer, class Place>
-  PENDULA_INLINE void two_more(terms& now, Place k) {
-    S* const w = this->velocity_.data();
-    pair* const x = turned_.data();
+  PENDULA_INLINE void two_more(terms& now, at_hand& h, Place k) {
     const auto &first = factors_.turned(k + 1), &second = factors_.turned(k + 2);
-    w[k + 1] = next_velocity<longer>(now, k);
-    if (k == 0) {
-      x[1] = x[0].turned(first * w[0]);
-      x[2] = x[0].turned(second) * w[1] + x[1].turned(second * w[0]);
-    } else {
-      const two older = k > 2 ? older_products(k) : two{pair::of(S(0.0), S(0.0)), x[1] * w[2]};
-      x[k + 1] =
-          ((older.first + x[k - 1] * w[1]).turned(first) + x[0].turned(first) * w[k]) + x[k].turned(first * w[0]);
-      x[k + 2] = ((older.second + x[k] * w[1]).turned(second) + x[0].turned(second) * w[k + 1]) +
-                 x[k + 1].turned(second * w[0]);
-    }
-    w[k + 2] = next_velocity<longer>(now, k + 1);
-    keep(k + 1);
-    keep(k + 2);
+    const S w1 = next_velocity<longer>(now, k, h.newest_pair, h.newest);
+    const two older = k > 2 ? older_products(h, k) : two{pair::of(S(0.0), S(0.0)), h.x1 * h.w2};
+    const pair x1 = ((older.first + h.pair_before * h.w1).turned(first) + h.x0.turned(first) * h.newest) +
+                    h.newest_pair.turned(first * h.w0);
+    const pair x2 =
+        ((older.second + h.newest_pair * h.w1).turned(second) + h.x0.turned(second) * w1) + x1.turned(second * h.w0);
+    keep(k + 1, h.newest, w1, x1);
+    const S w2 = next_velocity<longer>(now, k + 1, x1, w1);
+    keep(k + 2, w1, w2, x2);
+    h.two_before = h.newest;
+    h.before = w1;
+    h.newest = w2;
+    h.pair_before = x1;
+    h.newest_pair = x2;
   }
 
   // Of orders k and k + 1 of the product, the sums but for the newest numbers, from the middle outward: those of the
   // older numbers are there when the newer ones come.
   template <class Place>
-  PENDULA_INLINE two older_products(Place k) const {
-    const S* const w = this->velocity_.data();
-    const pair* const x = turned_.data();
-    const two edges{x[2] * w[k - 2] + x[1] * w[k - 1], (x[2] * w[k - 1] + x[k - 1] * w[2]) + x[1] * w[k]};
+  PENDULA_INLINE two older_products(const at_hand& h, Place k) const {
+    const two edges{h.x2 * h.two_before + h.x1 * h.before, (h.x2 * h.before + h.pair_before * h.w2) + h.x1 * h.newest};
     if (k == 4) return edges;
     const int middle = k / 2;
     auto below = two::product(stored_[middle], velocities_[k - middle]);
@@ -202,15 +224,15 @@ class driven_pendulum_series : public one_bob_series<S> {
   }
 
   template <bool longer>
-  PENDULA_INLINE S next_velocity(terms& now, int k) {
+  PENDULA_INLINE S next_velocity(terms& now, int k, const pair& x, const S& w) {
     const auto& of = now.of;
-    const S pull = now.moved ? of.frequency_squared * turned_[k].first() : turned_[k].first();
+    const S pull = longer && now.moved ? of.frequency_squared * x.first() : x.first();
     const S drive = factors_.drive(k) * (k % 2 == 0 ? now.cosine : now.sine);
     S rate = drive - pull * now.inverse[k + 1];
     if (k == 0 && present(of.coulomb)) rate = rate - of.senses[0] * of.coulomb * now.inverse[1];
     if constexpr (longer)
       if (now.longer()) rate = rate + longer_terms(now, k) * now.inverse[k + 1];
-    return rate - factors_.friction(k + 1) * this->velocity_[k];
+    return rate - factors_.friction(k + 1) * w;
   }
 
   // Order k of what the pivot's motion adds, and of drag.
