@@ -34,8 +34,9 @@ machine chosen_machine() {
                                 "'; unset it for the best that this processor is");
   const auto chosen = std::min(best_machine(), static_cast<machine>(found - std::begin(machine_names)));
   if (chosen < least_machine)
-    throw std::invalid_argument("PENDULA_MACHINE must be " + name_of(least_machine) + " or better in this build; got '" +
-                                std::string(asked) + "'; unset it, or build with PENDULA_LEAST_MACHINE=plain");
+    throw std::invalid_argument("PENDULA_MACHINE must be " + name_of(least_machine) +
+                                " or better in this build; got '" + std::string(asked) +
+                                "'; unset it, or build with PENDULA_LEAST_MACHINE=plain");
   return chosen;
 }
 

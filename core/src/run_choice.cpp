@@ -19,8 +19,10 @@ extern const run_kernel adaptive_runs;
 extern const derivative_kernel derivative_runs;
 extern const shadow_maker shadows;
 }  // namespace avx2
-static constexpr const run_kernel* adaptive_kernels[] = {until(machine::plain, plain::adaptive_runs), &avx2::adaptive_runs};
-static constexpr const derivative_kernel* derivative_kernels[] = {until(machine::plain, plain::derivative_runs), &avx2::derivative_runs};
+static constexpr const run_kernel* adaptive_kernels[] = {until(machine::plain, plain::adaptive_runs),
+                                                         &avx2::adaptive_runs};
+static constexpr const derivative_kernel* derivative_kernels[] = {until(machine::plain, plain::derivative_runs),
+                                                                  &avx2::derivative_runs};
 static constexpr const shadow_maker* shadow_makers[] = {until(machine::plain, plain::shadows), &avx2::shadows};
 #else
 static constexpr const run_kernel* adaptive_kernels[] = {&plain::adaptive_runs};

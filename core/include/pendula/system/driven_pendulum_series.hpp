@@ -184,8 +184,8 @@ class driven_pendulum_series : public one_bob_series<S> {
     return {w0, w1, w2, w0, w1, w2, x0, x1, x2, x1, x2};
   }
 
-  // Orders k + 1 and k + 2, for an even k > 0. Each order waits for the one before: its sum ends with the newest numbers,
-  // which are multiplied by what has been worked out before they come.
+  // Orders k + 1 and k + 2, for an even k > 0. Each order waits for the one before: its sum ends with the newest
+  // numbers, which are multiplied by what has been worked out before they come.
   template <bool longer, class Place>
   PENDULA_INLINE void two_more(terms& now, at_hand& h, Place k) {
     const auto &first = factors_.turned(k + 1), &second = factors_.turned(k + 2);
