@@ -147,8 +147,8 @@ def moved(system: Any, start: Any, name: str, by: float) -> tuple[Any, Any]:
 
 
 def stencil(values: Any, h: float) -> Any:
-    """The derivative of order h^6 of a function at −3h … 3h, without the middle."""
-    weights = np.array([-1.0, 9.0, -45.0, 45.0, -9.0, 1.0]) / (60.0 * h)
+    """The derivative of order h^4 of a function at −2h, −h, h and 2h."""
+    weights = np.array([1.0, -8.0, 8.0, -1.0]) / (12.0 * h)
     return np.tensordot(weights, np.array(values), axes=1)
 
 
@@ -168,7 +168,7 @@ def test_derivatives_by_everything_are_those_of_differences(
         h = 3e-4 * abs(value) if name in system.parameters else 3e-5
         runs = [
             solve(*moved(system, start, name, m * h), t[1:], digits=14).states
-            for m in (-3, -2, -1, 1, 2, 3)
+            for m in (-2, -1, 1, 2)
         ]
         want = stencil(runs, h)
         size = max(1.0, np.abs(run.derivatives).max())
@@ -187,7 +187,7 @@ def test_events_times_and_states_change_too() -> None:
     for k, name in enumerate(names):
         runs = [
             solve(*moved(system, start, name, m * h), 5.0, events=asked).events
-            for m in (-3, -2, -1, 1, 2, 3)
+            for m in (-2, -1, 1, 2)
         ]
         for i, changes in enumerate(run.event_derivatives):
             count = len(run.events[i].times)
