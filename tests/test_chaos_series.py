@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import math
 from typing import Any
 
@@ -239,6 +240,9 @@ def test_frequencies_as_a_dataset() -> None:
     made = found.to_xarray()
     assert made["frequency"].values == pytest.approx([3.0], abs=1e-13)
     assert made["phase"].values == pytest.approx([1.0], abs=1e-12)
+    told = json.loads(made.attrs["pendula"])
+    assert told["chaos"] == "Frequencies"
+    assert told["recipe"] == {"n": 1, "samples": 400, "step": t[1]}
 
 
 @pytest.mark.parametrize("kind", [float, complex])

@@ -60,14 +60,17 @@ def dataset_of(
 
 
 def told_of_series(
-    told: Mapping[str, Any], *, several: bool
+    measure: str, told: Mapping[str, Any], recipe: Mapping[str, Any], *, several: bool
 ) -> tuple[tuple[str, ...], dict[str, Any], dict[str, Any]]:
     """The first dims of what is told of series, and facts as variables and as attributes.
 
     Args:
+        measure: what was measured, named in the attributes.
         told: facts by name, a number or word of one series, (k,) of several.
+        recipe: the arguments that it was made with.
         several: whether they are of several series: then variables over the series.
     """
+    described = {KEY: json.dumps({KEY: __version__, "chaos": measure, "recipe": dict(recipe)})}
     if not several:
-        return (), {}, dict(told)
-    return (_SERIES,), {name: (_SERIES, each) for name, each in told.items()}, {}
+        return (), {}, {**told, **described}
+    return (_SERIES,), {name: (_SERIES, each) for name, each in told.items()}, described

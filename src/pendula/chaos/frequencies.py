@@ -38,7 +38,8 @@ class Frequencies:
         frequencies: ω, (n,) [rad/s]; not negative for a real series.
         amplitudes: a, (n,) complex, in the unit of the series, phases at t = 0.
         uncertainties: of the frequencies, by what is left beside each line, (n,) [rad/s].
-        residual: root mean square of what all fitted lines leave, over that of the series.
+        residual: root mean square of what all fitted lines leave, over that of the series; of
+            noise it can exceed 1, as the lines are fitted under the window.
         fitted: how many lines were fitted, those of `frequencies` among them.
         limit: what limits the frequencies, in words.
         recipe: the arguments that they were made with, but for the series.
@@ -64,7 +65,9 @@ class Frequencies:
     def to_xarray(self) -> xr.Dataset:
         """A dataset over the lines (extra: io)."""
         told = {"residual": self.residual, "limit": self.limit}
-        several, data, attrs = told_of_series(told, several=self.frequencies.ndim == 2)
+        several, data, attrs = told_of_series(
+            "Frequencies", told, self.recipe, several=self.frequencies.ndim == 2
+        )
         dims = (*several, "line")
         lines = {
             "frequency": (dims, self.frequencies, {"units": "rad/s"}),

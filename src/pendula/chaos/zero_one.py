@@ -2,16 +2,13 @@
 
 from __future__ import annotations
 
-import json
 import math
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
-from pendula._attributes import KEY
 from pendula._checks import checked_threads, extra, finite_array, whole_number
 from pendula._late_methods import with_promised
 from pendula._messages import ArgumentError
-from pendula._version import __version__
 from pendula.chaos.datasets import told_of_series
 from pendula.chaos.verdict import VERDICTS
 
@@ -57,13 +54,14 @@ class ZeroOne:
     def to_xarray(self) -> xr.Dataset:
         """K at each frequency of the test (extra: io)."""
         told = {"K": self.value, "verdict": self.verdict, "first_zero": self.first_zero}
-        several, data, attrs = told_of_series(told, several=self.values.ndim == 2)
-        described = {KEY: json.dumps({KEY: __version__, "chaos": "ZeroOne", "recipe": self.recipe})}
+        several, data, attrs = told_of_series(
+            "ZeroOne", told, self.recipe, several=self.values.ndim == 2
+        )
         meaning = {"long_name": "correlation of the displacement with time"}
         made: xr.Dataset = extra("xarray", "io").Dataset(
             {"K_c": ((*several, "c"), self.values, meaning), **data},
             coords={"c": ("c", self.c, {"units": "rad", "long_name": "frequency, per sample"})},
-            attrs=attrs | described,
+            attrs=attrs,
         )
         return made
 
