@@ -6,6 +6,7 @@
 #include "pendula/catalog.hpp"
 #include "pendula/drive/lanes.hpp"
 #include "pendula/kernels/lanes_kernels.hpp"
+#include "pendula/kernels/machine.hpp"
 
 namespace {
 
@@ -14,8 +15,11 @@ using namespace pendula;
 // Two registers side by side where there are 32 of them: one fills the other's waiting.
 constexpr int width = lanes_of_machine == 8 ? 16 : lanes_of_machine;
 using S = pack<double, width>;
-// AVX2's lanes do for DOP853, which takes as long to compile as all the rest.
-using methods_through_lanes = std::conditional_t<lanes_of_machine == 8, std::tuple<taylor>, adaptive_methods_in_lanes>;
+// AVX2's lanes do for DOP853, which takes as long to compile as all the rest; for that alone where all processors that
+// are served have AVX-512.
+using for_avx2 =
+    std::conditional_t<least_machine == machine::avx512, std::tuple<dop853>, adaptive_methods_in_lanes>;
+using methods_through_lanes = std::conditional_t<lanes_of_machine == 8, std::tuple<taylor>, for_avx2>;
 
 static_assert(no_more_work == no_trajectory);
 
