@@ -17,8 +17,7 @@ constexpr int width = lanes_of_machine == 8 ? 16 : lanes_of_machine;
 using S = pack<double, width>;
 // AVX2's lanes do for DOP853, which takes as long to compile as all the rest; for that alone where all processors that
 // are served have AVX-512.
-using for_avx2 =
-    std::conditional_t<least_machine == machine::avx512, std::tuple<dop853>, adaptive_methods_in_lanes>;
+using for_avx2 = std::conditional_t<least_machine == machine::avx512, std::tuple<dop853>, adaptive_methods_in_lanes>;
 using methods_through_lanes = std::conditional_t<lanes_of_machine == 8, std::tuple<taylor>, for_avx2>;
 
 static_assert(no_more_work == no_trajectory);
