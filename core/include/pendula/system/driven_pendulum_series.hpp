@@ -214,10 +214,15 @@ class driven_pendulum_series : public one_bob_series<S> {
     const int middle = k / 2;
     auto below = two::product(stored_[middle], velocities_[k - middle]);
     auto above = two::product(stored_[middle + 1], velocities_[k - middle - 1]);
-#pragma GCC unroll 16
-    for (int i = 1; i <= middle - 3; ++i) {
+    const auto outward = [&](int i) __attribute__((always_inline)) {
       below = below + two::product(stored_[middle - i], velocities_[k - middle + i]);
       above = above + two::product(stored_[middle + 1 + i], velocities_[k - middle - 1 - i]);
+    };
+    if constexpr (std::is_integral_v<Place>) {
+      for (int i = 1; i <= middle - 3; ++i) outward(i);
+    } else {
+#pragma GCC unroll 16
+      for (int i = 1; i <= middle - 3; ++i) outward(i);
     }
     const two sum = above + below;
     return {sum.first + edges.first, sum.second + edges.second};
