@@ -91,9 +91,7 @@ study-es:
 	@$(BIN)/pendula study --lang es --out study/es --force >build/study-es.log 2>&1
 
 # ---- tests: the core on each instruction set and under the sanitizers, then the package ----
-# The browser waits for its pictures most of the time: it runs beside the package's tests.
-test: test-core $(PAGE)
-	@$(MAKE) --no-print-directory -j2 test-python test-lab
+test: test-core test-python test-lab
 
 test-core: .venv/every-machine
 	@$(BIN)/cmake -S . -B build/core -G Ninja -DCMAKE_MAKE_PROGRAM=$(BIN)/ninja -DPython_EXECUTABLE=$(BIN)/python \
