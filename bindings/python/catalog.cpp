@@ -101,7 +101,8 @@ nb::list methods() {
 nb::list machines() {
   nb::list names;
   const auto here = static_cast<std::size_t>(pendula::machine_here());
-  for (auto i = static_cast<std::size_t>(pendula::least_machine); i <= here; ++i) names.append(text(pendula::machine_names[i]));
+  for (auto i = static_cast<std::size_t>(pendula::least_machine); i <= here; ++i)
+    names.append(text(pendula::machine_names[i]));
   return names;
 }
 
