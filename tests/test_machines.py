@@ -58,6 +58,8 @@ def digest_on(machine: str) -> tuple[str, str]:
 
 def test_every_machine_gives_the_same_bits() -> None:
     known = machines()
+    if (HERE.parent / ".venv" / "every-machine").exists():
+        assert known[0] == "plain"  # what `make test` builds has all of them
     if len(known) == 1:
         pytest.skip(f"on this processor this build runs the loops of {known[0]} alone")
     found = dict(map(digest_on, known))
