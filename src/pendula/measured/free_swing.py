@@ -7,8 +7,9 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from pendula.measured.begun import Begun
+from pendula.measured.least_squares import CLOSE
 from pendula.measured.model import DRIVE, FRICTIONS, SingleModel
-from pendula.measured.problem import CLOSE, minimise
+from pendula.measured.problem import minimise
 from pendula.measured.system_model import TIME_OFFSET, SystemModel
 from pendula.systems import DrivenPendulum
 
@@ -84,7 +85,7 @@ def free_swing(plan: Plan, recording: Sampled, rms: float) -> tuple[float, float
         part = thin.taken(slice(first, last))
         start = {**values, "theta": states[first, 0], "omega": states[first, 1]}
         begun = np.array([start[name] for name in problem.names])
-        best = minimise(plan.problem((part,)), begun, until=CLOSE)
+        best = minimise(plan.problem((part,)), begun, search=CLOSE)
     if (first, last) == (0, n) or inside > _BETTER * rms:
         return None
     beside = np.abs(thin.t - 0.5 * (thin.t[first] + thin.t[last - 1]))

@@ -7,8 +7,9 @@ from dataclasses import replace
 from itertools import combinations
 from typing import TYPE_CHECKING
 
+from pendula.measured.least_squares import CLOSE, ROUGH
 from pendula.measured.model import FRICTIONS
-from pendula.measured.problem import ROUGH, Optimum, Problem, minimise
+from pendula.measured.problem import Optimum, Problem, minimise
 from pendula.measured.starts import MOST, equivalents
 
 if TYPE_CHECKING:
@@ -61,7 +62,7 @@ def climbed(
                 replace(smaller, recordings=thin.recordings, model=thin.model),
                 _filled(smaller, _below(chosen, frictions, found)),
                 robust=robust,
-                until=ROUGH,
+                search=CLOSE,
             )
     if not frictions:
         start = _begun(problem, first, length, "")
@@ -141,6 +142,6 @@ def grown(problem: Problem, start: Array, length: float, *, robust: bool) -> Opt
     x = start
     while length < _NEARLY * span:
         window = problem.within(length).thinned(MOST)
-        x = minimise(window, x, robust=robust, until=ROUGH).x
+        x = minimise(window, x, robust=robust, search=ROUGH).x
         length *= _GROWS
-    return minimise(problem.thinned(MOST), x, robust=robust, until=ROUGH)
+    return minimise(problem.thinned(MOST), x, robust=robust, search=ROUGH)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Protocol
+from typing import TYPE_CHECKING, NamedTuple, Protocol
 
 from pendula._checks import extra
 
@@ -11,11 +11,31 @@ if TYPE_CHECKING:
 
     from pendula._types import Array
 
-MOST_STEPS = 60
-_FIRST_DAMPING = 1e-4
+_RESTRAINING = 1e-4  # damping that shortens a step from afar
+_UNRESTRAINED = 1e-8  # none in directions that the data tell: frictions are nearly collinear
 _LEAST_DAMPING = 1e-12
 _LARGEST_DAMPING = 1e12
 _ROWS = 256  # of a part of a tall matrix
+
+
+class Search(NamedTuple):
+    """How an optimum is looked for.
+
+    Attributes:
+        precision: relative change of the sum of squares at which it ends.
+        most: steps at most.
+        damping: of the first step.
+    """
+
+    precision: float
+    most: int = 60
+    damping: float = _UNRESTRAINED
+
+
+FINE = Search(1e-10)
+CLOSE = Search(1e-3, 10)
+# a start for another, from afar: of a model that is not the truth little is gained by more
+ROUGH = Search(3e-2, 5, _RESTRAINING)
 
 
 class Residuals(Protocol):
@@ -36,9 +56,8 @@ def least_squares(
     start: Array,
     lower: Array,
     upper: Array,
-    precision: float,
+    search: Search,
     scale: float = 0.0,
-    most: int = MOST_STEPS,
 ) -> tuple[Array, float]:
     """Levenberg-Marquardt (Moré 1978), each step a bounded linear problem.
 
@@ -52,8 +71,7 @@ def least_squares(
         start: within the bounds, (k,).
         lower: bounds, (k,).
         upper: likewise.
-        precision: relative change of the sum of squares at which it ends.
-        most: steps at most.
+        search: how it is looked for.
         scale: residuals much beyond it count by their size, not its square (soft_l1); 0: none do.
 
     Returns:
@@ -61,7 +79,8 @@ def least_squares(
     """
     import numpy as np
 
-    x, damping = start, _FIRST_DAMPING
+    precision, most, damping = search
+    x = start
     rest = of.residuals(x)
     cost = _cost(rest, scale)
     size = np.zeros(len(x))
@@ -85,7 +104,7 @@ def least_squares(
                 break
             if expected <= precision * cost:
                 return x, cost
-            damping *= 10.0
+            damping = max(10.0 * damping, _RESTRAINING)
         if before - cost <= precision * cost:
             break
     return x, cost

@@ -5,10 +5,10 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, field, replace
 from functools import cached_property
-from typing import TYPE_CHECKING, Protocol
+from typing import TYPE_CHECKING
 
 from pendula.measured.joints import gap_blocks, gap_slopes, gaps, run_times
-from pendula.measured.least_squares import MOST_STEPS, least_squares
+from pendula.measured.least_squares import FINE, Search, least_squares
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
@@ -19,45 +19,9 @@ if TYPE_CHECKING:
     from pendula._types import Array
     from pendula.measured.measurement import Measurement
     from pendula.measured.model import Row
-    from pendula.systems import System
+    from pendula.measured.models import Model
 
-# relative change of the sum of squares, and steps, where least squares end
-FINE = 1e-10, MOST_STEPS
-CLOSE = 1e-3, 10
-ROUGH = 3e-2, 5  # a start for another: of a model that is not the truth little is gained by more
 _LOST = 1e6  # a residual where the motion is not finite
-
-
-class Model(Protocol):
-    """What a problem asks of a model; `SingleModel` says more."""
-
-    @property
-    def rows(self) -> tuple[Row, ...]:
-        """Its parameters."""
-
-    def states(self, t: Array, values: Mapping[str, float]) -> Array:
-        """Of the motion at the times, the first that of the start, (n, d); NaN: not finite."""
-
-    def seen(self, states: Array, values: Mapping[str, float]) -> Array:
-        """What is measured of states (n, d), (n, m)."""
-
-    @property
-    def components(self) -> tuple[str, ...]:
-        """Names of its state, (d,)."""
-
-    def state_slopes(self, t: Array, values: Mapping[str, float], columns: Sequence[str]) -> Array:
-        """Derivatives of the states by some of the parameters, (n, d, k)."""
-
-    def slopes(
-        self, t: Array, states: Array, values: Mapping[str, float], columns: Sequence[str]
-    ) -> Array:
-        """Derivatives of what is measured by some of the parameters, (n, m, k)."""
-
-    def roughly(self) -> Model:
-        """The same, computed with fewer digits."""
-
-    def system(self, values: Mapping[str, float]) -> System | None:
-        """The pendulum with these values; None: one of them is unphysical."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -100,6 +64,7 @@ class Problem:
         limits: least and largest values by name, in place of what is physical.
         joints: weights of a gap's components, (d,), where the recordings are windows that join.
         kept: states of the last parameters, by their bytes.
+        slopes_kept: derivatives of the residuals by the last ones that they were asked for.
     """
 
     model: Model
@@ -111,6 +76,7 @@ class Problem:
     limits: Mapping[str, tuple[float, float]] = field(default_factory=dict)
     joints: tuple[float, ...] = ()
     kept: dict[bytes, list[Array]] = field(default_factory=dict, init=False, repr=False)
+    slopes_kept: dict[bytes, Array] = field(default_factory=dict, init=False, repr=False)
 
     @cached_property
     def names(self) -> tuple[str, ...]:
@@ -206,6 +172,18 @@ class Problem:
         return np.nan_to_num(np.concatenate(found), nan=_LOST, posinf=_LOST, neginf=_LOST)
 
     def jacobian(self, x: Array) -> Array:
+        """Derivatives of the residuals, (N, k).
+
+        Those of the last parameters are kept: where least squares ended, the uncertainties ask for
+        them again.
+        """
+        key = x.tobytes()
+        if key not in self.slopes_kept:
+            self.slopes_kept.clear()
+            self.slopes_kept[key] = self._slopes(x)
+        return self.slopes_kept[key]
+
+    def _slopes(self, x: Array) -> Array:
         """Derivatives of the residuals, (N, k)."""
         import numpy as np
 
@@ -269,7 +247,7 @@ class Optimum:
 
 
 def minimise(
-    problem: Problem, start: Array, *, robust: bool = False, until: tuple[float, int] = FINE
+    problem: Problem, start: Array, *, robust: bool = False, search: Search = FINE
 ) -> Optimum:
     """Least squares from a start, within the bounds.
 
@@ -277,15 +255,14 @@ def minimise(
         problem: what is to be fitted.
         start: (k,), moved into the bounds where it lies outside.
         robust: residuals beyond two standard deviations count less (soft_l1).
-        until: relative change of the sum of squares, and steps, at which it ends.
+        search: how the optimum is looked for.
     """
     import numpy as np
 
     lower, upper = problem.bounds()
     x = np.clip(start, lower, upper)
     scale = _spread(problem.residuals(x)) if robust else 0.0
-    precision, most = until
-    x, cost = least_squares(problem, x, lower, upper, precision, scale, most)
+    x, cost = least_squares(problem, x, lower, upper, search, scale)
     count = sum(int(each.there.sum()) for each in problem.recordings)
     if problem.joints:
         cost = float(np.sum(problem.residuals(x)[:count] ** 2))

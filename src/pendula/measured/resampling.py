@@ -7,7 +7,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from pendula.measured.errors import correlation_of
-from pendula.measured.least_squares import least_squares
+from pendula.measured.least_squares import Search, least_squares
 from pendula.measured.problem import Optimum, Problem, Sampled, minimise
 
 if TYPE_CHECKING:
@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 _DRAWS = 100
 _BLOCK = 5.0  # autocorrelation times that a block is long
-_PRECISION = 1e-5
+_PRECISE = Search(1e-5)
 _FAR = 2.0  # standard errors at which a profile is taken
 _TRIES = 3
 
@@ -148,5 +148,5 @@ class _Held:
         import numpy as np
 
         lower, upper = (np.delete(each, self.j) for each in self.problem.bounds())
-        _, cost = least_squares(self, x, lower, upper, _PRECISION)
+        _, cost = least_squares(self, x, lower, upper, _PRECISE)
         return math.sqrt(cost / len(self.residuals(x)))

@@ -11,7 +11,8 @@ from pendula.measured.bounded import within_bounds
 from pendula.measured.derived import derived_of
 from pendula.measured.errors import Errors, errors_of
 from pendula.measured.fitted import Fit, FittedRecording
-from pendula.measured.problem import CLOSE, Optimum, Problem, minimise
+from pendula.measured.least_squares import CLOSE
+from pendula.measured.problem import Optimum, Problem, minimise
 from pendula.measured.resampling import with_other_errors
 from pendula.measured.starts import MOST
 from pendula.measured.words import Note
@@ -144,7 +145,7 @@ def _quarters(problem: Problem, best: Optimum, i: int, states: Array) -> Array:
     for quarter, (begin, end) in enumerate(pairwise(edges.tolist())):
         part = problem.of([recording.taken(slice(begin, end))]).thinned(MOST)
         begun = {**values, "theta": states[begin, 0], "omega": states[begin, 1]}
-        found = minimise(part, np.array([begun[name] for name in part.names]), until=CLOSE)
+        found = minimise(part, np.array([begun[name] for name in part.names]), search=CLOSE)
         whole[quarter, places] = found.x
     return whole
 

@@ -5,7 +5,8 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING
 
-from pendula.measured.problem import ROUGH, Optimum, Problem, Sampled, minimise
+from pendula.measured.least_squares import ROUGH
+from pendula.measured.problem import Optimum, Problem, Sampled, minimise
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -55,7 +56,7 @@ def first_window(
         turns = np.ptp(sampled.values[sampled.there[:, 0]]) > 2.0 * math.pi
         guesses.insert(0 if turns else len(guesses), _by_energy(sampled, constants))
     for guess in guesses:
-        found = minimise(first, np.array([guess[name] for name in first.names]), until=ROUGH)
+        found = minimise(first, np.array([guess[name] for name in first.names]), search=ROUGH)
         if best is None or found.rms < best.rms:
             best = found
         if best.rms < _POOR * spread:

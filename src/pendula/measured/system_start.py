@@ -8,8 +8,9 @@ from typing import TYPE_CHECKING, cast
 from pendula.measured.begun import Begun
 from pendula.measured.driven_start import driven_values
 from pendula.measured.ladder import grown
+from pendula.measured.least_squares import CLOSE
 from pendula.measured.model import DRIVE, FRICTIONS, SingleModel
-from pendula.measured.problem import CLOSE, Optimum, Problem, minimise
+from pendula.measured.problem import Optimum, Problem, minimise
 from pendula.measured.starts import MOST
 from pendula.measured.system_model import TIME_OFFSET, SystemModel, inertia_and_pull
 
@@ -66,7 +67,7 @@ def _driven_optimum(
         said = driven_values(problem.recordings[0], known)
         start = _Translation(plan, problem, own, said, [], driven=True).start()
         whole = problem.thinned(MOST)
-        ends.append(minimise(whole, start, robust=plan.robust, until=CLOSE))
+        ends.append(minimise(whole, start, robust=plan.robust, search=CLOSE))
     best = min(ends, key=lambda end: end.rms)
     return minimise(problem, best.x, robust=plan.robust)
 

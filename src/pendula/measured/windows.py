@@ -12,7 +12,8 @@ from pendula.measured.double_model import STATE, DoubleModel
 from pendula.measured.double_start import first_values, quickness
 from pendula.measured.fitted import Horizon
 from pendula.measured.joints import gaps
-from pendula.measured.problem import CLOSE, Optimum, Problem, Sampled, minimise
+from pendula.measured.least_squares import CLOSE
+from pendula.measured.problem import Optimum, Problem, Sampled, minimise
 from pendula.measured.starts import MOST
 from pendula.measured.system_model import SystemModel
 
@@ -174,7 +175,7 @@ def _grown(problem: Problem, *, robust: bool) -> tuple[Array, float]:
     while followed < span:
         length = min(length, span)
         part = problem.within(length).sparser(MOST)
-        found = minimise(part, x, robust=robust, until=CLOSE)
+        found = minimise(part, x, robust=robust, search=CLOSE)
         if found.rms <= _LOST:
             x, followed = found.x, length
             if _stretched(part, x) > _MOST_STRETCHED:
