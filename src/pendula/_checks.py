@@ -66,6 +66,8 @@ def how_to_install(name: str) -> str:
 
 def number(name: str, value: object, unit: str = "") -> float:
     """`value` as a float, finite or not; where it carries a unit, converted to this one."""
+    if type(value) is float:  # most are, and every system is checked when a run begins
+        return value
     try:
         given = plain(name, value, unit)
         kind = getattr(getattr(given, "dtype", None), "kind", "f")

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, cast
 
 from pendula import _engine
@@ -77,8 +77,8 @@ def core_request(
 
 def request_of(
     system: System, state: ArrayLike, t: ArrayLike, method: object, t0: float, **given: Any
-) -> Request:
-    """The checked request that the arguments of `solve` make.
+) -> tuple[Request, _engine.Request]:
+    """The checked request that the arguments of `solve` make, and the same for the core.
 
     Raises:
         TypeError: for an option that there is none of.
@@ -88,13 +88,16 @@ def request_of(
     origin = finite_number("t0", t0, "s")
     times = times_array(t)
     wanted = float(times) if times.ndim == 0 else times
-    asked = Request(state=start, t=wanted, t0=origin, **checked_types(given, "solve"))
     name = checked_name(method)
-    if asked.digits is None:  # which have a range of their own
+    options = checked_types(given, "solve")
+    if "digits" not in options:  # which have a range of their own
         check_angles(system, start)
-    refuse(_engine.check(asked.for_core(system, name)))
-    chooses = _engine.method_named(name).adaptive and asked.digits is None
-    return replace(asked, tolerance=asked.tolerance or BEST_TOLERANCE) if chooses else asked
+        if _engine.method_named(name).adaptive:
+            options.setdefault("tolerance", BEST_TOLERANCE)
+    asked = Request(state=start, t=wanted, t0=origin, **options)
+    for_core = asked.for_core(system, name)
+    refuse(_engine.check(for_core))
+    return asked, for_core
 
 
 def checked_name(method: object, argument: str = "method") -> MethodName:

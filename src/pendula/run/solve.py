@@ -73,7 +73,7 @@ def solve(
     check_system(system)
     report: Progress = checked_progress(progress)
     name = checked_name(method)
-    asked = request_of(system, state, t, name, t0, **options)
+    asked, for_core = request_of(system, state, t, name, t0, **options)
     derived_by = checked_derivatives(derivatives, system)
     if derived_by:
         check_method(name, asked.digits)
@@ -82,7 +82,7 @@ def solve(
     if asked.digits is not None:
         return _solve_digits(system, asked, report)
     first = part(report, 0.0, 0.2) if derived_by else report
-    run = trajectory_of(system, name, asked, _engine.solve(asked.for_core(system, name), first))
+    run = trajectory_of(system, name, asked, _engine.solve(for_core, first))
     return with_derivatives(run, derived_by, part(report, 0.2, 1.0)) if derived_by else run
 
 

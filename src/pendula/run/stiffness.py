@@ -28,9 +28,9 @@ def warn_of_stiffness(systems: Iterable[System], span: float) -> None:
         span: of the run [s].
     """
     for system in systems:
-        slow, fast = system.slowest_frequency, system.fastest_frequency
+        fast = system.fastest_frequency
         swings = span * fast / math.tau
-        if fast > _RATIO * slow and swings > _SWINGS:
+        if swings > _SWINGS and fast > _RATIO * (slow := system.slowest_frequency):
             warnings.warn(
                 f"{system!r} is stiff: its fast mode swings {swings:.1g} times in the {span:g} s "
                 f"of the run, {fast / slow:.1g} times as often as the slow one, and each swing "
