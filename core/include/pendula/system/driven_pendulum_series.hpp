@@ -126,6 +126,28 @@ class driven_pendulum_series : public one_bob_series<S> {
     for (int k = done; k < this->order_; k += 2) two_more<true>(now, h, k);
   }
 
+  // What is added to (θ, ω) in a time h, which the next step waits for: sums of every fourth order side by side.
+  PENDULA_INLINE vec<S, 2> increment(S h, const S* inverse) const {
+    const S square = h * h, fourth = square * square;
+    vec<S, 4> angle, speed;
+    if constexpr (std::same_as<S, double>) {
+      using four = pack<double, 4>;
+      const auto [of_angle, of_speed] = every_fourth<four>(inverse, 0, fourth);
+      for (int i = 0; i < 4; ++i) {
+        angle[i] = of_angle[i];
+        speed[i] = of_speed[i];
+      }
+    } else {
+      for (int i = 0; i < 4; ++i) {
+        const auto [of_angle, of_speed] = every_fourth<S>(inverse, i, fourth);
+        angle[i] = of_angle;
+        speed[i] = of_speed;
+      }
+    }
+    const auto joined = [&](const vec<S, 4>& x) { return ((x[0] + x[1] * h) + (x[2] + x[3] * h) * square) * h; };
+    return {joined(angle), joined(speed)};
+  }
+
  private:
   using pair = sine_with_cosine<S>;
   using two = detail::two_orders<S>;
@@ -163,6 +185,40 @@ class driven_pendulum_series : public one_bob_series<S> {
     velocities_[k - 1] = two::stored(before, w);
   }
 
+  // Of angle and velocity, the sums over orders first, first + 4 … in powers of h⁴; of `T` = four doubles those of four
+  // neighbours at once. Even and odd powers side by side.
+  template <class T>
+  PENDULA_INLINE std::array<T, 2> every_fourth(const S* inverse, int first, const S& fourth_power) const {
+    const S* const w = this->velocity_.data();
+    const T fourth(fourth_power), eighth = fourth * fourth;
+    int k = (this->order_ - 1) / 4 * 4 + first;
+    const int left = this->order_ - k;
+    T angle = some<T>(w + k, left) * some<T>(inverse + k + 1, left), speed = some<T>(w + k + 1, left);
+    T other_angle(S(0.0)), other_speed(S(0.0));
+    for (k -= 4; k >= 0; k -= 4) {
+      const T next_angle = other_angle * eighth + some<T>(w + k, 4) * some<T>(inverse + k + 1, 4);
+      const T next_speed = other_speed * eighth + some<T>(w + k + 1, 4);
+      other_angle = angle;
+      other_speed = speed;
+      angle = next_angle;
+      speed = next_speed;
+    }
+    return {angle + other_angle * fourth, speed + other_speed * fourth};
+  }
+  // Numbers of an array that has so many left; zero where there is none.
+  template <class T>
+  PENDULA_INLINE static T some(const S* from, int left) {
+    T numbers(S(0.0));
+    if constexpr (std::same_as<T, S>) {
+      if (left > 0) numbers = *from;
+    } else if (left >= lanes<T>::count) {
+      __builtin_memcpy(&numbers, from, sizeof(T));
+    } else {
+      for (int i = 0; i < left; ++i) numbers.set(i, from[i]);
+    }
+    return numbers;
+  }
+
   // All further orders, for one trajectory of doubles.
   template <int... i>
   [[gnu::noinline]] void written_out(terms& now, at_hand h, std::integer_sequence<int, i...>) {
@@ -194,7 +250,7 @@ class driven_pendulum_series : public one_bob_series<S> {
     const pair x1 = ((older.first + h.pair_before * h.w1).turned(first) + h.x0.turned(first) * h.newest) +
                     h.newest_pair.turned(first * h.w0);
     const pair x2 =
-        ((older.second + h.newest_pair * h.w1).turned(second) + h.x0.turned(second) * w1) + x1.turned(second * h.w0);
+        (older.second + h.newest_pair * h.w1).turned(second) + (h.x0.turned(second) * w1 + x1.turned(second * h.w0));
     keep(k + 1, h.newest, w1, x1);
     const S w2 = next_velocity<longer>(now, k + 1, x1, w1);
     keep(k + 2, w1, w2, x2);
@@ -233,11 +289,11 @@ class driven_pendulum_series : public one_bob_series<S> {
     const auto& of = now.of;
     const S pull = longer && now.moved ? of.frequency_squared * x.first() : x.first();
     const S drive = factors_.drive(k) * (k % 2 == 0 ? now.cosine : now.sine);
-    S rate = drive - pull * now.inverse[k + 1];
+    S rate = (drive - factors_.friction(k + 1) * w) - pull * now.inverse[k + 1];
     if (k == 0 && present(of.coulomb)) rate = rate - of.senses[0] * of.coulomb * now.inverse[1];
     if constexpr (longer)
       if (now.longer()) rate = rate + longer_terms(now, k) * now.inverse[k + 1];
-    return rate - factors_.friction(k + 1) * w;
+    return rate;
   }
 
   // Order k of what the pivot's motion adds, and of drag.
