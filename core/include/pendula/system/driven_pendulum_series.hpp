@@ -4,6 +4,7 @@
 #pragma once
 
 #include "pendula/system/driven_pendulum.hpp"
+#include "pendula/system/increment_by_fourths.hpp"
 
 namespace pendula::inline PENDULA_MACHINE {
 
@@ -126,26 +127,9 @@ class driven_pendulum_series : public one_bob_series<S> {
     for (int k = done; k < this->order_; k += 2) two_more<true>(now, h, k);
   }
 
-  // What is added to (θ, ω) in a time h, which the next step waits for: sums of every fourth order side by side.
+  // What is added to (θ, ω) in a time h, which the next step waits for.
   PENDULA_INLINE vec<S, 2> increment(S h, const S* inverse) const {
-    const S square = h * h, fourth = square * square;
-    vec<S, 4> angle, speed;
-    if constexpr (std::same_as<S, double>) {
-      using four = pack<double, 4>;
-      const auto [of_angle, of_speed] = every_fourth<four>(inverse, 0, fourth);
-      for (int i = 0; i < 4; ++i) {
-        angle[i] = of_angle[i];
-        speed[i] = of_speed[i];
-      }
-    } else {
-      for (int i = 0; i < 4; ++i) {
-        const auto [of_angle, of_speed] = every_fourth<S>(inverse, i, fourth);
-        angle[i] = of_angle;
-        speed[i] = of_speed;
-      }
-    }
-    const auto joined = [&](const vec<S, 4>& x) { return ((x[0] + x[1] * h) + (x[2] + x[3] * h) * square) * h; };
-    return {joined(angle), joined(speed)};
+    return increment_by_fourths(this->order_, this->velocity_.data(), inverse, h);
   }
 
  private:
@@ -183,40 +167,6 @@ class driven_pendulum_series : public one_bob_series<S> {
     turned_[k] = x;
     stored_[k] = two::stored(x);
     velocities_[k - 1] = two::stored(before, w);
-  }
-
-  // Of angle and velocity, the sums over orders first, first + 4 … in powers of h⁴; of `T` = four doubles those of four
-  // neighbours at once. Even and odd powers side by side.
-  template <class T>
-  PENDULA_INLINE std::array<T, 2> every_fourth(const S* inverse, int first, const S& fourth_power) const {
-    const S* const w = this->velocity_.data();
-    const T fourth(fourth_power), eighth = fourth * fourth;
-    int k = (this->order_ - 1) / 4 * 4 + first;
-    const int left = this->order_ - k;
-    T angle = some<T>(w + k, left) * some<T>(inverse + k + 1, left), speed = some<T>(w + k + 1, left);
-    T other_angle(S(0.0)), other_speed(S(0.0));
-    for (k -= 4; k >= 0; k -= 4) {
-      const T next_angle = other_angle * eighth + some<T>(w + k, 4) * some<T>(inverse + k + 1, 4);
-      const T next_speed = other_speed * eighth + some<T>(w + k + 1, 4);
-      other_angle = angle;
-      other_speed = speed;
-      angle = next_angle;
-      speed = next_speed;
-    }
-    return {angle + other_angle * fourth, speed + other_speed * fourth};
-  }
-  // Numbers of an array that has so many left; zero where there is none.
-  template <class T>
-  PENDULA_INLINE static T some(const S* from, int left) {
-    T numbers(S(0.0));
-    if constexpr (std::same_as<T, S>) {
-      if (left > 0) numbers = *from;
-    } else if (left >= lanes<T>::count) {
-      __builtin_memcpy(&numbers, from, sizeof(T));
-    } else {
-      for (int i = 0; i < left; ++i) numbers.set(i, from[i]);
-    }
-    return numbers;
   }
 
   // All further orders, for one trajectory of doubles.
