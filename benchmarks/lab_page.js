@@ -24,7 +24,7 @@ async function leaving() {
     [...document.querySelectorAll(selector)].find((each) => each.textContent.includes(text));
   while (!named(".readings", "Right")) await pause(50);
   named("label", "Poincaré").querySelector("input").click();
-  await pause(150);
+  await pause(60); // the run takes 120 ms and more, and would have ended by itself
   const { terminate } = Worker.prototype;
   let ended = 0;
   Worker.prototype.terminate = function () {
