@@ -7,16 +7,20 @@ import os
 import subprocess
 import sys
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import pytest
 
 from pendula import _engine
 from pendula.measured import Measurement, compare_models, fit
+from pendula.measured.model import SingleModel
 from pendula.measured.noise import Series, filtered
 from simulated import clean, swing
 from test_fit import THREE
+
+if TYPE_CHECKING:
+    from pendula._types import Array
 
 
 def simulated_long() -> Measurement:
@@ -45,6 +49,21 @@ def test_the_long_swing_is_fitted_in_few_runs(monkeypatch: pytest.MonkeyPatch) -
     monkeypatch.setattr(_engine, "ensemble", counted)
     fit(simulated_long(), THREE)
     assert len(runs) <= 160  # 0.12 s on an idle machine: `make bench`
+
+
+def test_the_whole_long_swing_is_derived_at_few_places(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Two frictions are nearly collinear: damped steps would creep along that direction."""
+    made, places = simulated_long(), []
+    slopes = SingleModel.slopes
+
+    def counted(model: SingleModel, t: Array, *others: Any) -> Array:
+        if len(t) == len(made.t):
+            places.append(t)
+        return slopes(model, t, *others)
+
+    monkeypatch.setattr(SingleModel, "slopes", counted)
+    fit(made, THREE)
+    assert 1 <= len(places) <= 4  # what the uncertainties need among them
 
 
 def test_noise_is_summed_as_its_covariance_says() -> None:

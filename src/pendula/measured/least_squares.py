@@ -11,8 +11,9 @@ if TYPE_CHECKING:
 
     from pendula._types import Array
 
-_RESTRAINING = 1e-4  # damping that shortens a step from afar
-_UNRESTRAINED = 1e-8  # none in directions that the data tell: frictions are nearly collinear
+# Damping of the first step: from afar it shortens the step; near the optimum it must not hold back
+# the one direction in which two frictions are nearly collinear.
+_FROM_AFAR, _NEAR = 1e-4, 1e-8
 _LEAST_DAMPING = 1e-12
 _LARGEST_DAMPING = 1e12
 _ROWS = 256  # of a part of a tall matrix
@@ -29,13 +30,13 @@ class Search(NamedTuple):
 
     precision: float
     most: int = 60
-    damping: float = _UNRESTRAINED
+    damping: float = _NEAR
 
 
 FINE = Search(1e-10)
 CLOSE = Search(1e-3, 10)
 # a start for another, from afar: of a model that is not the truth little is gained by more
-ROUGH = Search(3e-2, 5, _RESTRAINING)
+ROUGH = Search(3e-2, 5, _FROM_AFAR)
 
 
 class Residuals(Protocol):
@@ -104,7 +105,7 @@ def least_squares(
                 break
             if expected <= precision * cost:
                 return x, cost
-            damping = max(10.0 * damping, _RESTRAINING)
+            damping = max(10.0 * damping, _FROM_AFAR)
         if before - cost <= precision * cost:
             break
     return x, cost
