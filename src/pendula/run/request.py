@@ -76,9 +76,11 @@ def core_request(
 
 
 def request_of(
-    system: System, state: ArrayLike, t: ArrayLike, method: object, t0: float, **given: Any
+    system: System, state: ArrayLike, t: ArrayLike, method: MethodName, t0: float, **given: Any
 ) -> tuple[Request, _engine.Request]:
     """The checked request that the arguments of `solve` make, and the same for the core.
+
+    The method's name is one of the catalogue: `checked_name`.
 
     Raises:
         TypeError: for an option that there is none of.
@@ -88,14 +90,13 @@ def request_of(
     origin = finite_number("t0", t0, "s")
     times = times_array(t)
     wanted = float(times) if times.ndim == 0 else times
-    name = checked_name(method)
     options = checked_types(given, "solve")
     if "digits" not in options:  # which have a range of their own
         check_angles(system, start)
-        if _engine.method_named(name).adaptive:
+        if _engine.method_named(method).adaptive:
             options.setdefault("tolerance", BEST_TOLERANCE)
     asked = Request(state=start, t=wanted, t0=origin, **options)
-    for_core = asked.for_core(system, name)
+    for_core = asked.for_core(system, method)
     refuse(_engine.check(for_core))
     return asked, for_core
 
