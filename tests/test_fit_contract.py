@@ -214,7 +214,7 @@ def test_bounds_are_kept_and_named() -> None:
     found = fit(made, SimplePendulum(0.8), bounds={"gravity": (9.8, 9.9)})
     assert found["gravity"].value == 9.8
     assert found.at_bounds == ("gravity",)
-    assert "g ended at its bound, 9.8." in [note.sentence() for note in found.notes]
+    assert "The fit ended at the bound of g, 9.8." in [note.sentence() for note in found.notes]
     model = fit(made, "viscous", bounds={"omega0_squared": (0.0, 12.0)})
     assert model.at_bounds[0] == "omega0_squared"
     negative = fit(made, "viscous", bounds={"viscous": (-1.0, -0.1)})
