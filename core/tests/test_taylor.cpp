@@ -85,6 +85,20 @@ BOOST_AUTO_TEST_CASE(a_looser_tolerance_gives_a_larger_error_and_takes_fewer_ter
   BOOST_TEST(taylor_order(-10.0) == 6);
 }
 
+BOOST_AUTO_TEST_CASE(lengths_of_steps_have_the_digits_they_need) {
+  double of_log = 0.0, of_power = 0.0;
+  for (int i = 0; i < 4000; ++i) {
+    const double x = -20.0 + 0.01 * i;
+    of_log = std::max(of_log, std::fabs(coarse_log2(-std::exp2(x)) - x));
+    of_power = std::max(of_power, std::fabs(coarse_exp2(x) / std::exp2(x) - 1.0));
+  }
+  BOOST_TEST(of_log < 0.0435);  // half of 0.0861, by which a chord is below the logarithm
+  BOOST_TEST(of_log > 0.0425);
+  BOOST_TEST(of_power < 1.1e-4);
+  BOOST_TEST(coarse_log2(0.0) < -1000.0);
+  BOOST_TEST(coarse_log2(pack<double, 2>(3.0))[1] == coarse_log2(3.0));
+}
+
 BOOST_AUTO_TEST_CASE(a_motion_goes_back_where_it_came_from) {
   const auto there = states_at<double_pendulum, double>(equal_rods, {1.0, -0.5, 0.3, 2.0}, 1.0, {4.0}, -52.0)[0];
   const auto back = states_at<double_pendulum, double>(equal_rods, {there.begin(), there.end()}, 4.0, {1.0}, -52.0)[0];

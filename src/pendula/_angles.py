@@ -7,7 +7,7 @@ import sys
 import warnings
 from typing import TYPE_CHECKING, Any
 
-from pendula._checks import numbers_array
+from pendula._checks import any_as_large, numbers_array
 from pendula._given import carries_unit
 from pendula._unit_names import PI
 from pendula.units import scaled
@@ -57,9 +57,9 @@ def warn_of_degrees(name: str, given: Any, angles: ArrayLike, *, deeper: int = 0
     """
     import numpy as np
 
-    sizes = np.abs(angles)
-    if not (sizes > _LEAST).any() or carries_unit(given):
+    if not any_as_large(np.asarray(angles), _LEAST) or carries_unit(given):
         return
+    sizes = np.abs(angles)
     depth = 2 + deeper
     while _module(depth) == "pendula._progress":  # which the function may be wrapped in
         depth += 1

@@ -23,6 +23,7 @@ if TYPE_CHECKING:
 
 MOST_THREADS = 1024
 LARGEST_COUNT = 2**53  # whole numbers are exact in a double up to here
+_FEW = 8  # numbers that are looked at sooner one by one than by numpy
 
 
 class MissingExtraError(ImportError):
@@ -138,10 +139,19 @@ def finite_array(name: str, value: ArrayLike, unit: str = "") -> Array:
     return array
 
 
+def any_as_large(array: Array, bound: float) -> bool:
+    """Whether a number of an array is so large in size, or larger."""
+    if array.size <= _FEW:
+        return any(abs(each) >= bound for each in array.ravel().tolist())
+    return bool((abs(array) >= bound).any())
+
+
 def check_finite(name: str, array: Array, unit: str = "") -> None:
     """Name the first number that is infinite or NaN."""
     import numpy as np
 
+    if array.size <= _FEW and all(map(math.isfinite, array.ravel().tolist())):
+        return
     finite = np.isfinite(array)
     if not finite.all():
         bad = ~finite

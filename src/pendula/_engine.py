@@ -71,9 +71,15 @@ def methods() -> tuple[Method, ...]:
     )
 
 
+@cache
+def methods_by_name() -> dict[str, Method]:
+    """The same by their names."""
+    return {each.name: each for each in methods()}
+
+
 def method_named(name: str) -> Method:
     """The method of that name, which has to exist."""
-    return next(each for each in methods() if each.name == name)
+    return methods_by_name()[name]
 
 
 @cache

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, cast
 
 from pendula import _engine
-from pendula._checks import finite_array, finite_number, states_array
+from pendula._checks import any_as_large, finite_array, finite_number, states_array
 from pendula._messages import ArgumentError, meant
 from pendula._rules import broken, refuse
 from pendula.run.options import BEST_TOLERANCE, Options, checked_types
@@ -103,7 +103,7 @@ def request_of(
 
 def checked_name(method: object, argument: str = "method") -> MethodName:
     """The name of a method as the catalogue writes it; upper and lower case are the same."""
-    names = [each.name for each in _engine.methods()]
+    names = list(_engine.methods_by_name())
     name = method.lower() if isinstance(method, str) else ""
     if name not in names:
         raise broken(
@@ -119,14 +119,13 @@ def check_angles(system: System, start: Array) -> None:
         ValueError: naming the angle.
     """
     angles = start[: system.can.degrees_of_freedom]
-    largest = float(angles[abs(angles).argmax()])
-    if system.can.periodic and abs(largest) >= _engine.LARGEST_ANGLE:
+    if system.can.periodic and any_as_large(angles, _engine.LARGEST_ANGLE):
         raise ArgumentError(
             "state",
             "must have angles below 2^26 rad = {most} rad, got {value}",
             "take whole turns off: the motion is the same",
             most=round(_engine.LARGEST_ANGLE),
-            value=largest,
+            value=float(angles[abs(angles).argmax()]),
         )
 
 

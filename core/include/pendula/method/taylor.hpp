@@ -40,13 +40,16 @@ class taylor_stepper {
   using state = typename Sys::state;
   using point = compensated_point<state>;
   using R = roughly<S>;
+  static constexpr bool waits_for_length = more_orders<Sys>() > 0 && has_double_precision<S>;
   static constexpr double precision_inside = 0x1p-50;  // of the motion inside a step, in parts of its change
 
   taylor_stepper(const Sys& system, double log2_of_tolerance)
       : order_(taylor_order(log2_of_tolerance) + more_orders<Sys>()),
         series_(order_),
         inverse_(static_cast<std::size_t>(order_) + 2),
-        log2_of_error_(log2_of_tolerance - 5.0) {
+        log2_of_error_(log2_of_tolerance - 5.0),
+        log2_of_reach_(log2_of_error_ / (order_ + 1)) {
+    for (int i = 0; i < 4; ++i) per_order_.set(i, 1.0 / (order_ - 3 + i));
     double log2_of_factorial = 0.0;
     for (int k = 1; k <= order_ + 1; ++k) log2_of_factorial += rough_log2(static_cast<double>(k));
     longest_phase_ = 1.1 * rough_exp2((log2_of_error_ + log2_of_factorial) / (order_ + 1));
@@ -106,12 +109,17 @@ class taylor_stepper {
   // least counts: a motion from rest has none of the odd ones, one from rest at a right angle every fourth only.
   PENDULA_INLINE void expand(const head_and_tail<S>& t, double direction) {
     series_.expand(system_, t, at_.head, at_.tail, inverse_.data());
-    R radius = log2_of_radius(order_);
-    for (int k = order_ - 1; k > order_ - 4; --k) {
-      const R other = log2_of_radius(k);
-      radius = choose(less(other, radius), other, radius);
+    R reach;
+    if constexpr (waits_for_length) {
+      reach = coarse_exp2(coarse_log2_of_radius() + R(log2_of_reach_));
+    } else {
+      R radius = log2_of_radius(order_);
+      for (int k = order_ - 1; k > order_ - 4; --k) {
+        const R other = log2_of_radius(k);
+        radius = choose(less(other, radius), other, radius);
+      }
+      reach = rough_exp2(radius + R(log2_of_error_ / (order_ + 1)));
     }
-    const R reach = rough_exp2(radius + R(log2_of_error_ / (order_ + 1)));
     length_ = R(direction) * choose(less(longest_, reach), longest_, reach);
     ++expansions_;
   }
@@ -197,6 +205,30 @@ class taylor_stepper {
     return sum;
   }
 
+  // The least of four, where the next step waits for it: of the logarithms' errors a step's length has a part in the
+  // order. One trajectory has the four side by side, in lanes.
+  PENDULA_INLINE R coarse_log2_of_radius() const {
+    const auto radius = [&](const auto& size, const auto& per_order) {
+      using T = std::remove_cvref_t<decltype(size)>;
+      const T radius = (T(log2_of_scale_) - coarse_log2(size)) * per_order;
+      return choose(less(T(500.0), radius), T(500.0), radius);
+    };
+    const auto lesser = [](const auto& a, const auto& b) { return choose(less(a, b), a, b); };
+    const auto size = [&](int i) {
+      return rough(series_.velocity(0, order_ - 4 + i)) * rough(inverse_[order_ - 3 + i]);
+    };
+    if constexpr (std::same_as<R, double>) {
+      const auto [one, other] =
+          halves(radius(lanes_of(size(0), size(1), size(2), size(3)), pack<double, 4>(per_order_)));
+      const auto both = lesser(one, other);
+      return lesser(both[0], both[1]);
+    } else {
+      R least = radius(size(0), R(per_order_[0]));
+      for (int i = 1; i < 4; ++i) least = lesser(least, radius(size(i), R(per_order_[i])));
+      return least;
+    }
+  }
+
   // log2 |θ_k|, of the angle where it is largest.
   PENDULA_INLINE R log2_of_size(int k) const {
     constexpr int freedom = degrees_of_freedom<Sys>;
@@ -228,7 +260,8 @@ class taylor_stepper {
   int order_;
   typename Sys::series series_;
   std::vector<S> inverse_;  // unit/k
-  double log2_of_error_;
+  double log2_of_error_, log2_of_reach_;
+  pack<double, 4> per_order_;  // of the last four
   // a little more than the step of a small swing with the highest frequency: for what has no last terms, such as rest
   double longest_phase_;
   // of time, in seconds: a power of two; the lengths are in parts of it

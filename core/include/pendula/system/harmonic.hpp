@@ -67,10 +67,12 @@ struct sine_with_cosine {
   PENDULA_INLINE friend sine_with_cosine operator*(const sine_with_cosine& a, const S& b) {
     return {a.sine * b, a.cosine * b};
   }
-  // By a quarter turn, and times a factor: sin → cos, cos → −sin.
+  // By a quarter turn, and times a factor: sin → cos, cos → −sin; as an exchange, which can go before, and a product.
   using turn = S;
   PENDULA_INLINE static turn factor(const S& x) { return x; }
-  PENDULA_INLINE sine_with_cosine turned(const turn& by) const { return {cosine * by, sine * -by}; }
+  PENDULA_INLINE sine_with_cosine turned(const turn& by) const { return exchanged().times(by); }
+  PENDULA_INLINE sine_with_cosine exchanged() const { return {cosine, sine}; }
+  PENDULA_INLINE sine_with_cosine times(const turn& by) const { return {sine * by, cosine * -by}; }
 };
 template <>
 struct sine_with_cosine<double> {
@@ -85,7 +87,9 @@ struct sine_with_cosine<double> {
   }
   using turn = pack<double, 2>;
   PENDULA_INLINE static turn factor(double x) { return lanes_of(x, -x); }
-  PENDULA_INLINE sine_with_cosine turned(turn by) const { return {rearranged<1, 0>(both) * by}; }
+  PENDULA_INLINE sine_with_cosine turned(turn by) const { return exchanged().times(by); }
+  PENDULA_INLINE sine_with_cosine exchanged() const { return {rearranged<1, 0>(both)}; }
+  PENDULA_INLINE sine_with_cosine times(turn by) const { return {both * by}; }
 };
 
 // Its Taylor series, order by order: c' = −Ω s, s' = Ω c.
