@@ -142,13 +142,14 @@ class driven_pendulum_series : public one_bob_series<S> {
   PENDULA_INLINE at_hand first_orders(terms& now, const S& w0, const pair& x0) {
     const auto &first = factors_.turned(1), &second = factors_.turned(2);
     const pair turned_first = x0.exchanged();
+    keep(0, w0, x0);
     const S w1 = next_velocity<longer>(now, 0, x0, w0);
     const pair x1 = turned_first.times(first * w0);
-    this->velocity_[0] = w0;
-    turned_[0] = x0;
+    keep(1, w1, x1);
     const S w2 = next_velocity<longer>(now, 1, x1, w1);
     const pair x2 = turned_first.times(second) * w1 + x1.turned(second * w0);
-    keep(0, w0, x0, w1, x1, w2, x2);
+    keep(2, w2, x2);
+    keep_two(0, w0, x0, w1, x1, w2, x2);
     return {w0,
             w1,
             w2,
@@ -164,13 +165,13 @@ class driven_pendulum_series : public one_bob_series<S> {
   // Which even orders are needed with the one after them.
   static std::size_t early(int order) { return static_cast<std::size_t>(order / 2 - 1) / 2 * 2; }
 
-  // Orders k + 1 and k + 2.
-  PENDULA_INLINE void keep(std::size_t k, const S& w, const pair& x, const S& w1, const pair& x1, const S& w2,
-                           const pair& x2) {
-    this->velocity_[k + 1] = w1;
-    this->velocity_[k + 2] = w2;
-    turned_[k + 1] = x1;
-    turned_[k + 2] = x2;
+  PENDULA_INLINE void keep(std::size_t k, const S& w, const pair& x) {
+    this->velocity_[k] = w;
+    turned_[k] = x;
+  }
+  // Of orders k, k + 1 and k + 2, what products of two orders at once need.
+  PENDULA_INLINE void keep_two(std::size_t k, const S& w, const pair& x, const S& w1, const pair& x1, const S& w2,
+                               const pair& x2) {
     if (k > early(this->order_)) return;
     velocities_[k] = two::of(w, w1);
     velocities_[k + 1] = two::of(w1, w2);
@@ -191,8 +192,10 @@ class driven_pendulum_series : public one_bob_series<S> {
                     two::twice(h.newest_pair.exchanged()) * (f * h.velocities);
     const pair x1 = sum.low();
     const pair x2 = (sum.high() + h.turned_first.times(second) * w1) + x1.turned(second * h.w0);
+    keep(k + 1, w1, x1);
     const S w2 = next_velocity<longer>(now, k + 1, x1, w1);
-    keep(k, h.newest, h.newest_pair, w1, x1, w2, x2);
+    keep(k + 2, w2, x2);
+    keep_two(k, h.newest, h.newest_pair, w1, x1, w2, x2);
     h.before = w1;
     h.newest = w2;
     h.pair_before = x1;
