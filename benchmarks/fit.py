@@ -1,7 +1,9 @@
-"""A fit of a swing of 55 s, beside scipy's curve_fit with solve_ivp; and of a double pendulum."""
+"""A fit of a swing of 55 s, beside scipy; of a double pendulum; and a large file read."""
 
+import tempfile
 import time
 from collections.abc import Callable
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -9,7 +11,7 @@ from scipy.integrate import solve_ivp
 from scipy.optimize import curve_fit
 
 import pendula
-from pendula.measured import Measurement, fit
+from pendula.measured import Measurement, fit, read
 
 RATE, SECONDS = 100.0, 55.0
 FRICTIONS = {"viscous": 0.01, "coulomb": 0.16, "quadratic": 0.004}
@@ -62,6 +64,22 @@ def seconds(job: Callable[[], Any], repeats: int = REPEATS) -> float:
     return least
 
 
+def reading() -> dict[str, float]:
+    """Times of reading 55 s at 1 kHz from a file [s]."""
+    t = np.arange(55001) / 1e3
+    with tempfile.TemporaryDirectory() as folder:
+        file = Path(folder) / "swing.csv"
+        np.savetxt(
+            file, np.column_stack([t, np.sin(t)]), "%.9g", ",", header="t,theta", comments=""
+        )
+        return {
+            "a file of 55 001 lines": seconds(lambda: read(file)),
+            "numpy.genfromtxt, the same": seconds(
+                lambda: np.genfromtxt(file, delimiter=",", skip_header=1)
+            ),
+        }
+
+
 def report() -> None:
     """Print the times and the ratio that are asked for."""
     viscous, three, two = swing(viscous=0.055), swing(**FRICTIONS), double()
@@ -72,6 +90,7 @@ def report() -> None:
         "viscous + coulomb + quadratic, the same": seconds(lambda: fit(three, list(FRICTIONS))),
         "double pendulum, 1 s at 500 Hz": seconds(lambda: fit(two, "viscous")),
         "curve_fit with solve_ivp, viscous": seconds(lambda: by_scipy(viscous), 1),
+        **reading(),
     }
     print(f"Fits without start values, with their uncertainties\n\n{'':44}{'s':>10}")
     for name, least in rows.items():

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import time
 from typing import Any
 
 import numpy as np
@@ -146,11 +145,3 @@ def test_times_made_again_give_the_reference_fit() -> None:
     assert found.x[2] == pytest.approx(17.3418, abs=5e-4)
     assert found.x[3] == pytest.approx(0.00501, abs=5e-5)
     assert np.sqrt(np.mean(found.fun**2)) == pytest.approx(1.89e-3, abs=0.02e-3)
-
-
-def test_a_large_file_is_read_in_well_under_a_second() -> None:
-    path = recording("single_pendulum_freeswing_1kHz.csv")
-    read(path)
-    start = time.process_time()
-    read(path)
-    assert time.process_time() - start < 0.9

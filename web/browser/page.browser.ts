@@ -4,7 +4,7 @@ import { computed, hasChromium, type Laboratory, laboratory, RODS, STILL } from 
 // What pendula rerun gives for it: its energies, work and heat; 9.8 J times its energy error.
 const BALANCE =
   "Kinetic 0.04806 J, potential 0.3839 J; since the start −1.468 J of work went in and 2.609 J of heat out: " +
-  "the energy is off their balance by 6.6 · 10⁻¹⁶ J.";
+  "the energy is off their balance by 1.5 · 10⁻¹⁵ J.";
 
 describe.skipIf(!hasChromium)("the page", () => {
   let lab: Laboratory;
