@@ -73,9 +73,9 @@ SAME: list[tuple[Callable[[], Any], Callable[[], Any]]] = [
     (lambda: parting(Q([1, 2], "min")), lambda: parting([60, 120])),
     (
         lambda: parting(
-            values=Q([90, 180], "arcmin"), moment=Q(600, "ms"), tolerance=Q(6, "arcmin")
+            values=Q([np.pi / 2, np.pi], "rad"), moment=Q(600, "ms"), tolerance=Q(6, "arcmin")
         ),
-        lambda: parting(values=[1.5, 3.0]),
+        lambda: parting(values=[90.0, 180.0]),
     ),
     (lambda: convergence(Q([100, 50], "ms")), convergence),
     (lambda: convergence(errors=Q(STEPS**4, "rad")), convergence),

@@ -47,12 +47,11 @@ class taylor_stepper {
       : order_(taylor_order(log2_of_tolerance) + more_orders<Sys>()),
         series_(order_),
         inverse_(static_cast<std::size_t>(order_) + 2),
-        log2_of_error_(log2_of_tolerance - 5.0),
-        log2_of_reach_(log2_of_error_ / (order_ + 1)) {
+        log2_of_reach_((log2_of_tolerance - 5.0) / (order_ + 1)) {
     for (int i = 0; i < 4; ++i) per_order_.set(i, 1.0 / (order_ - 3 + i));
     double log2_of_factorial = 0.0;
     for (int k = 1; k <= order_ + 1; ++k) log2_of_factorial += rough_log2(static_cast<double>(k));
-    longest_phase_ = 1.1 * rough_exp2((log2_of_error_ + log2_of_factorial) / (order_ + 1));
+    longest_phase_ = 1.1 * rough_exp2((log2_of_tolerance - 5.0 + log2_of_factorial) / (order_ + 1));
     change(system);
   }
 
@@ -118,7 +117,7 @@ class taylor_stepper {
         const R other = log2_of_radius(k);
         radius = choose(less(other, radius), other, radius);
       }
-      reach = rough_exp2(radius + R(log2_of_error_ / (order_ + 1)));
+      reach = rough_exp2(radius + R(log2_of_reach_));
     }
     length_ = R(direction) * choose(less(longest_, reach), longest_, reach);
     ++expansions_;
@@ -205,8 +204,8 @@ class taylor_stepper {
     return sum;
   }
 
-  // The least of four, where the next step waits for it: of the logarithms' errors a step's length has a part in the
-  // order. One trajectory has the four side by side, in lanes.
+  // The least of four, where the next step waits for it: it has an error of a logarithm divided by the order. One
+  // trajectory has the four side by side, in lanes.
   PENDULA_INLINE R coarse_log2_of_radius() const {
     const auto radius = [&](const auto& size, const auto& per_order) {
       using T = std::remove_cvref_t<decltype(size)>;
@@ -259,8 +258,8 @@ class taylor_stepper {
   Sys system_{};
   int order_;
   typename Sys::series series_;
-  std::vector<S> inverse_;  // unit/k
-  double log2_of_error_, log2_of_reach_;
+  std::vector<S> inverse_;     // unit/k
+  double log2_of_reach_;       // of the error allowed, a part in the order: 32 times below the tolerance
   pack<double, 4> per_order_;  // of the last four
   // a little more than the step of a small swing with the highest frequency: for what has no last terms, such as rest
   double longest_phase_;

@@ -110,9 +110,9 @@ class driven_pendulum_series : public one_bob_series<S> {
     S sine{0.0}, cosine{0.0};
     harmonic_series<S> pivot{};
 
-    bool moved() const { return present(of.pivot.amplitude); }
-    bool dragged() const { return present(of.quadratic) || present(of.cubic); }
-    bool longer() const { return moved() || dragged(); }
+    bool moved = present(of.pivot.amplitude), dragged = present(of.quadratic) || present(of.cubic);
+
+    bool longer() const { return moved || dragged; }
   };
 
   // The orders that the next ones are worked out from, but for older products: the first three, and the newest. They
@@ -129,7 +129,7 @@ class driven_pendulum_series : public one_bob_series<S> {
   }
   template <bool longer>
   PENDULA_INLINE void orders(terms& now, const head_and_tail<S>& t, const S& w0, const S& s, const S& c) {
-    const bool moved = longer && now.moved();
+    const bool moved = longer && now.moved;
     if (moved) now.pivot.start(now.of.pivot, t);
     // without a moving pivot sine and cosine are carried times the frequency's square, and the pull is the sine
     const S& square = now.of.frequency_squared;
@@ -221,20 +221,17 @@ class driven_pendulum_series : public one_bob_series<S> {
       above = above + two::twice(x[i]) * velocities[-i];
       return true;
     };
-    if constexpr (products_written_out > 0) {
-      [&]<std::size_t... i>(std::index_sequence<i...>) __attribute__((always_inline)) {
-        (void)((i + 3 < middle && outward(i + 2)) && ...);
-      }(std::make_index_sequence<products_written_out>{});
-    } else {
-      for (std::size_t i = 2; i + 1 < middle; ++i) outward(i);
-    }
+    [&]<std::size_t... i>(std::index_sequence<i...>) __attribute__((always_inline)) {
+      (void)((i + 3 < middle && outward(i + 2)) && ...);
+    }(std::make_index_sequence<products_written_out>{});
+    for (std::size_t i = products_written_out + 2; i + 1 < middle; ++i) outward(i);
     return below + above;
   }
 
   template <bool longer>
   PENDULA_INLINE S next_velocity(terms& now, std::size_t k, const pair& x, const S& w) {
     const auto& of = now.of;
-    const S pull = longer && now.moved() ? of.frequency_squared * x.first() : x.first();
+    const S pull = longer && now.moved ? of.frequency_squared * x.first() : x.first();
     const S drive = factors_.drive(k) * (k % 2 == 0 ? now.cosine : now.sine);
     S rate = (drive - factors_.friction(k + 1) * w) - pull * now.inverse[k + 1];
     if (k == 0 && present(of.coulomb)) rate = rate - of.senses[0] * of.coulomb * now.inverse[1];
@@ -246,11 +243,11 @@ class driven_pendulum_series : public one_bob_series<S> {
   // Order k of what the pivot's motion adds, and of drag.
   [[gnu::noinline]] S longer_terms(terms& now, int k) {
     S sum(0.0);
-    if (now.moved()) {
+    if (now.moved) {
       sum = moved_by(now.of, k, now.pivot.order());
       now.pivot.advance(factors_.turned(k + 1));
     }
-    return now.dragged() ? sum - dragged(now.of, k, present(now.of.cubic)) : sum;
+    return now.dragged ? sum - dragged(now.of, k, present(now.of.cubic)) : sum;
   }
 
   // Order k of what the pivot's motion adds.
