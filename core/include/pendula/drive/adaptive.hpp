@@ -46,13 +46,13 @@ class adaptive_run {
   template <class Consumer, class Poll>
   [[gnu::noinline]] adaptive_result to_end(std::int64_t step_limit, Consumer&& consumer, Poll&& go_on) {
     adaptive_result result;
-    result.reached = rough(time_.head[0]);
     for (;;) {
       if (result.steps == step_limit) return ended(result, outcome::step_limit);
       stepper_.expand({time_.head[0], time_.tail[0]}, direction_);
       mend_joints(result.steps == 0, consumer);
       const auto next = stepper_.at_end();
-      if (!all_finite(next.head) || !countable() || stands_still()) return ended(result, outcome::not_finite);
+      if (!all_finite(next.head) || !(trackers_.empty() || countable()) || stands_still())
+        return ended(result, outcome::not_finite);
       ++result.steps;
       const S left = since_step(end_);
       bool last = rests_for_good() || !(direction_ * rough(stepper_.length()) < direction_ * rough(left));
@@ -62,10 +62,9 @@ class adaptive_run {
       if constexpr (has_double_precision<S>)
         terminated_ = !trackers_.empty() && report_events(stop, piece_ends, consumer);
       const bool enough = !consumer.step(*this, stop);
-      result.reached = last && !terminated_ ? end_ : time_after(stop);
-      if (terminated_) return ended(result, outcome::event);
-      if (last) return ended(result, outcome::reached_end);
-      if (enough) return ended(result, outcome::interrupted);
+      if (terminated_) return ended(result, outcome::event, time_after(stop));
+      if (last) return ended(result, outcome::reached_end, end_);
+      if (enough) return ended(result, outcome::interrupted, time_after(stop));
       if (piece_ends) {
         begin_piece(stop, consumer);
       } else {
@@ -100,8 +99,10 @@ class adaptive_run {
   static constexpr std::int64_t between_polls =
       has_double_precision<S> ? adaptive_steps_between_polls : many_digit_steps_between_polls;
 
-  adaptive_result ended(adaptive_result result, outcome how) const {
+  adaptive_result ended(adaptive_result result, outcome how) const { return ended(result, how, rough(time_.head[0])); }
+  adaptive_result ended(adaptive_result result, outcome how, double reached) const {
     result.ended = how;
+    result.reached = reached;
     result.evaluations = stepper_.evaluations();
     return result;
   }
@@ -137,7 +138,14 @@ class adaptive_run {
       return false;
     }
   }
-  bool ends_piece(S& stop) {
+  PENDULA_INLINE bool ends_piece(S& stop) {
+    if constexpr (Piecewise<System>) {
+      return pieces_.follows(stepper_) && finds_end_of_piece(stop);
+    } else {
+      return false;
+    }
+  }
+  bool finds_end_of_piece(S& stop) {
     if constexpr (Piecewise<System>) {
       const auto found = pieces_.end_in_step(stepper_, now());
       if (!found || direction_ * rough(*found - stop) > 0.0) return false;

@@ -15,10 +15,14 @@ template <class S>
 class driven_pendulum_factors {
  public:
   using pair = sine_with_cosine<S>;
-  using two = two_orders<S>;
+  // Of orders k + 1 and k + 2, for an even k: 1/(k + 1) for sine and cosine turned by a quarter and b/(k + 1); what
+  // stands before the sine or cosine of the drive's phase; 1/(k + 1).
+  struct of_two {
+    typename two_orders<S>::turns turns;
+    std::array<S, 2> drive, friction, inverse;
+  };
 
-  explicit driven_pendulum_factors(std::size_t orders)
-      : drive_(orders), friction_(orders), turn_(orders), turns_(orders / 2) {}
+  explicit driven_pendulum_factors(std::size_t orders) : of_two_(orders / 2) {}
 
   PENDULA_INLINE void prepare(const driven_pendulum::over<S>& of, const S* inverse) {
     const S frequency = present(of.drive.amplitude) ? of.drive.frequency : S(0.0);
@@ -29,31 +33,24 @@ class driven_pendulum_factors {
     }
     work_out(frequency, of.viscous, inverse);
   }
-
-  // Of orders k of the drive, times the factor of the order that it goes into: that of (sine, cosine) of its phase.
-  PENDULA_INLINE const S& drive(std::size_t k) const { return drive_[k]; }
-  // b/k, and 1/k for sine and cosine turned by a quarter; of orders 2 i + 1 and 2 i + 2.
-  PENDULA_INLINE const S& friction(std::size_t k) const { return friction_[k]; }
-  PENDULA_INLINE const typename pair::turn& turned(std::size_t k) const { return turn_[k]; }
-  PENDULA_INLINE const typename two::turns& two_turned(std::size_t i) const { return turns_[i]; }
+  PENDULA_INLINE const of_two* data() const { return of_two_.data(); }
 
  private:
   [[gnu::noinline]] void work_out(const S& frequency, const S& viscous, const S* inverse) {
     S power(1.0);  // Ω^k/k!, with the signs of the derivatives cos, −sin, −cos, sin
-    for (std::size_t k = 0; k + 1 < turn_.size(); ++k) {
+    for (std::size_t k = 0; k < 2 * of_two_.size(); ++k) {
       if (k > 0) power = power * (frequency * inverse[k]);
       if (k % 2 == 1) power = -power;
-      drive_[k] = power * inverse[k + 1];
-      friction_[k + 1] = viscous * inverse[k + 1];
-      turn_[k + 1] = pair::factor(inverse[k + 1]);
-      if (k % 2 == 1) turns_[k / 2] = two::turns_of(turn_[k], turn_[k + 1]);
+      of_two& of = of_two_[k / 2];
+      of.drive[k % 2] = power * inverse[k + 1];
+      of.friction[k % 2] = viscous * inverse[k + 1];
+      of.inverse[k % 2] = inverse[k + 1];
+      if (k % 2 == 1) of.turns = two_orders<S>::turns_of(pair::factor(inverse[k]), pair::factor(inverse[k + 1]));
     }
   }
 
   std::array<double, 3> key_{__builtin_nan(""), 0.0, 0.0};
-  std::vector<S> drive_, friction_;
-  std::vector<typename pair::turn> turn_;
-  std::vector<typename two::turns> turns_;
+  std::vector<of_two> of_two_;
 };
 
 template <class S>
@@ -62,9 +59,7 @@ class driven_pendulum_series : public one_bob_series<S> {
   explicit driven_pendulum_series(int order)
       : one_bob_series<S>(order),
         factors_(this->velocity_.size()),
-        turned_(this->velocity_.size()),
-        neighbours_(early(order) + 2),
-        velocities_(early(order) + 2),
+        orders_(this->velocity_.size()),
         square_(this->velocity_.size()),
         pivot_(this->velocity_.size()) {}
 
@@ -74,13 +69,19 @@ class driven_pendulum_series : public one_bob_series<S> {
                                 const vec<S, 2>& tail, const S* inverse) {
     if (!present(of.senses[0])) return this->velocity_.assign(this->velocity_.size(), S(0.0));
     factors_.prepare(of, inverse);
-    terms now{of, inverse};
+    terms now{of};
+    sine_cosine<S> angle;
     if (present(of.drive.amplitude)) {
-      const auto phase = of.drive.turned(t);
+      const auto [head, rest] = phase_at(of.drive.frequency, of.drive.phase, t);
+      const auto [of_angle, of_phase] = sincos(point[0], head);
+      const auto phase = sincos_with_tail(of_phase, rest);
       now.sine = of.drive.amplitude * phase.sin;
       now.cosine = of.drive.amplitude * phase.cos;
+      angle = of_angle;
+    } else {
+      angle = sincos(point[0]);
     }
-    const auto [s, c] = sincos_with_tail(sincos(point[0]), tail[0]);
+    const auto [s, c] = sincos_with_tail(angle, tail[0]);
     if constexpr (products_written_out > 0) {
       if (!now.longer()) return orders<false>(now, t, point[1], s, c);
     }
@@ -95,6 +96,7 @@ class driven_pendulum_series : public one_bob_series<S> {
  private:
   using pair = sine_with_cosine<S>;
   using two = two_orders<S>;
+  using factors = driven_pendulum_factors<S>;
   // Of one trajectory of doubles the sums of products are written out, up to the order of the finest tolerance: they
   // then need no counting. Not in a page, which would be longer to load.
 #if defined(__wasm__)
@@ -106,7 +108,6 @@ class driven_pendulum_series : public one_bob_series<S> {
   // The equation, and the drive's sine and cosine.
   struct terms {
     const driven_pendulum::over<S>& of;
-    const S* inverse;
     S sine{0.0}, cosine{0.0};
     harmonic_series<S> pivot{};
 
@@ -124,6 +125,21 @@ class driven_pendulum_series : public one_bob_series<S> {
     typename two::velocities velocities, velocities_after;
   };
 
+  // What is kept of an order, with the one after it where products of two orders at once need that.
+  struct kept {
+    two neighbours;
+    typename two::velocities velocities;
+    pair both;
+  };
+  // Where the two next orders are worked out: their factors, and what is kept of the newest order k and of order k/2.
+  struct place {
+    const typename factors::of_two* of_two;
+    const kept* middle;
+    const S* middle_velocity;
+    kept* newest;
+    S* velocity;
+  };
+
   [[gnu::noinline]] void longer_orders(terms& now, const head_and_tail<S>& t, const S& w0, const S& s, const S& c) {
     orders<true>(now, t, w0, s, c);
   }
@@ -133,23 +149,32 @@ class driven_pendulum_series : public one_bob_series<S> {
     if (moved) now.pivot.start(now.of.pivot, t);
     // without a moving pivot sine and cosine are carried times the frequency's square, and the pull is the sine
     const S& square = now.of.frequency_squared;
-    at_hand h = first_orders<longer>(now, w0, moved ? pair::of(s, c) : pair::of(square * s, square * c));
-    const auto order = static_cast<std::size_t>(this->order_);
-    for (std::size_t k = 2; k < order; k += 2) two_more<longer>(now, h, k);
+    S* const w = this->velocity_.data();
+    place at{factors_.data(), orders_.data(), w, orders_.data(), w};
+    at_hand h = first_orders<longer>(now, at, w0, moved ? pair::of(s, c) : pair::of(square * s, square * c));
+    const auto pairs = static_cast<std::size_t>(this->order_) / 2, last_middle = pairs - 1;
+    for (std::size_t middle = 1; middle < pairs; ++middle) {
+      ++at.of_two;
+      ++at.middle;
+      ++at.middle_velocity;
+      at.newest += 2;
+      at.velocity += 2;
+      two_more<longer>(now, h, at, middle, 2 * middle < last_middle);
+    }
   }
 
   template <bool longer>
-  PENDULA_INLINE at_hand first_orders(terms& now, const S& w0, const pair& x0) {
-    const auto &first = factors_.turned(1), &second = factors_.turned(2);
+  PENDULA_INLINE at_hand first_orders(terms& now, const place& at, const S& w0, const pair& x0) {
+    const auto &first = at.of_two->turns.low(), &second = at.of_two->turns.high();
     const pair turned_first = x0.exchanged();
-    keep(0, w0, x0);
-    const S w1 = next_velocity<longer>(now, 0, x0, w0);
+    keep(at, 0, w0, x0);
+    const S w1 = next_velocity<longer>(now, at, 0, 0, x0, w0);
     const pair x1 = turned_first.times(first * w0);
-    keep(1, w1, x1);
-    const S w2 = next_velocity<longer>(now, 1, x1, w1);
+    keep(at, 1, w1, x1);
+    const S w2 = next_velocity<longer>(now, at, 0, 1, x1, w1);
     const pair x2 = turned_first.times(second) * w1 + x1.turned(second * w0);
-    keep(2, w2, x2);
-    keep_two(0, w0, x0, w1, x1, w2, x2);
+    keep(at, 2, w2, x2);
+    keep_two(at, w0, x0, w1, x1, w2, x2);
     return {w0,
             w1,
             w2,
@@ -162,40 +187,37 @@ class driven_pendulum_series : public one_bob_series<S> {
             two::of(w1, w2)};
   }
 
-  // Which even orders are needed with the one after them.
-  static std::size_t early(int order) { return static_cast<std::size_t>(order / 2 - 1) / 2 * 2; }
-
-  PENDULA_INLINE void keep(std::size_t k, const S& w, const pair& x) {
-    this->velocity_[k] = w;
-    turned_[k] = x;
+  PENDULA_INLINE static void keep(const place& at, std::size_t next, const S& w, const pair& x) {
+    at.velocity[next] = w;
+    at.newest[next].both = x;
   }
   // Of orders k, k + 1 and k + 2, what products of two orders at once need.
-  PENDULA_INLINE void keep_two(std::size_t k, const S& w, const pair& x, const S& w1, const pair& x1, const S& w2,
-                               const pair& x2) {
-    if (k > early(this->order_)) return;
-    velocities_[k] = two::of(w, w1);
-    velocities_[k + 1] = two::of(w1, w2);
-    neighbours_[k] = two::of(x, x1);
-    neighbours_[k + 1] = two::of(x1, x2);
+  PENDULA_INLINE static void keep_two(const place& at, const S& w, const pair& x, const S& w1, const pair& x1,
+                                      const S& w2, const pair& x2) {
+    at.newest[0].neighbours = two::of(x, x1);
+    at.newest[0].velocities = two::of(w, w1);
+    at.newest[1].neighbours = two::of(x1, x2);
+    at.newest[1].velocities = two::of(w1, w2);
   }
 
   // Orders k + 1 and k + 2, for an even k > 0. Each order waits for the one before: its sum ends with the newest
-  // numbers, which are multiplied by what has been worked out before they come.
+  // numbers, which are multiplied by what has been worked out before they come. `needed_again`: by products of two
+  // orders at once.
   template <bool longer>
-  PENDULA_INLINE void two_more(terms& now, at_hand& h, std::size_t k) {
-    const auto f = factors_.two_turned(k / 2);
-    const auto& second = factors_.turned(k + 2);
-    const S w1 = next_velocity<longer>(now, k, h.newest_pair, h.newest);
-    two older = older_products(k);
-    if (k > 2) older = older + (h.two_after * h.before + two::twice(h.pair_before) * h.velocities_after);
+  PENDULA_INLINE void two_more(terms& now, at_hand& h, const place& at, std::size_t middle, bool needed_again) {
+    const auto f = at.of_two->turns;
+    const auto second = f.high();
+    const S w1 = next_velocity<longer>(now, at, 2 * middle, 0, h.newest_pair, h.newest);
+    two older = older_products(at, middle);
+    if (middle > 1) older = older + (h.two_after * h.before + two::twice(h.pair_before) * h.velocities_after);
     const two sum = (older.exchanged() * f + (h.turned_two * f) * h.newest) +
                     two::twice(h.newest_pair.exchanged()) * (f * h.velocities);
     const pair x1 = sum.low();
     const pair x2 = (sum.high() + h.turned_first.times(second) * w1) + x1.turned(second * h.w0);
-    keep(k + 1, w1, x1);
-    const S w2 = next_velocity<longer>(now, k + 1, x1, w1);
-    keep(k + 2, w2, x2);
-    keep_two(k, h.newest, h.newest_pair, w1, x1, w2, x2);
+    keep(at, 1, w1, x1);
+    const S w2 = next_velocity<longer>(now, at, 2 * middle, 1, x1, w1);
+    keep(at, 2, w2, x2);
+    if (needed_again) keep_two(at, h.newest, h.newest_pair, w1, x1, w2, x2);
     h.before = w1;
     h.newest = w2;
     h.pair_before = x1;
@@ -206,19 +228,16 @@ class driven_pendulum_series : public one_bob_series<S> {
   // older numbers are there when the newer ones come. Half of them are two orders of sine and cosine times one of the
   // velocity, half one times two: the newest are then read as they were stored, one by one. That of the middle has no
   // other.
-  PENDULA_INLINE two older_products(std::size_t k) const {
-    const std::size_t middle = k / 2;
-    const S* const w = &this->velocity_[middle];
-    const pair* const x = &turned_[middle];
-    two below = two::of(x[0] * w[0], pair::of(S(0.0), S(0.0)));
+  PENDULA_INLINE static two older_products(const place& at, std::size_t middle) {
+    const S* const w = at.middle_velocity;
+    const kept* const x = at.middle;
+    two below = two::of(x[0].both * w[0], pair::of(S(0.0), S(0.0)));
     if (middle <= 2) return below;
-    const two* const neighbours = &neighbours_[middle];
-    const auto* const velocities = &velocities_[middle];
-    below = below + neighbours[-1] * w[1];
-    two above = two::twice(x[1]) * velocities[-1];
+    below = below + x[-1].neighbours * w[1];
+    two above = two::twice(x[1].both) * x[-1].velocities;
     const auto outward = [&](std::ptrdiff_t i) __attribute__((always_inline)) {
-      below = below + neighbours[-i] * w[i];
-      above = above + two::twice(x[i]) * velocities[-i];
+      below = below + x[-i].neighbours * w[i];
+      above = above + two::twice(x[i].both) * x[-i].velocities;
       return true;
     };
     [&]<std::size_t... i>(std::index_sequence<i...>) __attribute__((always_inline)) {
@@ -228,24 +247,28 @@ class driven_pendulum_series : public one_bob_series<S> {
     return below + above;
   }
 
+  // Order k + 1 + next, of orders k + next.
   template <bool longer>
-  PENDULA_INLINE S next_velocity(terms& now, std::size_t k, const pair& x, const S& w) {
+  PENDULA_INLINE S next_velocity(terms& now, const place& at, std::size_t k, std::size_t next, const pair& x,
+                                 const S& w) {
     const auto& of = now.of;
+    const auto& by = *at.of_two;
     const S pull = longer && now.moved ? of.frequency_squared * x.first() : x.first();
-    const S drive = factors_.drive(k) * (k % 2 == 0 ? now.cosine : now.sine);
-    S rate = (drive - factors_.friction(k + 1) * w) - pull * now.inverse[k + 1];
-    if (k == 0 && present(of.coulomb)) rate = rate - of.senses[0] * of.coulomb * now.inverse[1];
+    const S drive = by.drive[next] * (next == 0 ? now.cosine : now.sine);
+    S rate = (drive - by.friction[next] * w) - pull * by.inverse[next];
+    if (k + next == 0 && present(of.coulomb)) rate = rate - of.senses[0] * of.coulomb * by.inverse[0];
     if constexpr (longer)
-      if (now.longer()) rate = rate + longer_terms(now, k) * now.inverse[k + 1];
+      if (now.longer()) rate = rate + longer_terms(now, at, k + next) * by.inverse[next];
     return rate;
   }
 
   // Order k of what the pivot's motion adds, and of drag.
-  [[gnu::noinline]] S longer_terms(terms& now, int k) {
+  [[gnu::noinline]] S longer_terms(terms& now, const place& at, std::size_t k) {
     S sum(0.0);
     if (now.moved) {
       sum = moved_by(now.of, k, now.pivot.order());
-      now.pivot.advance(factors_.turned(k + 1));
+      const auto& turns = at.of_two->turns;
+      now.pivot.advance(k % 2 == 0 ? turns.low() : turns.high());
     }
     return now.dragged ? sum - dragged(now.of, k, present(now.of.cubic)) : sum;
   }
@@ -254,7 +277,7 @@ class driven_pendulum_series : public one_bob_series<S> {
   S moved_by(const driven_pendulum::over<S>& of, int k, const S& order) {
     pivot_[k] = order;
     pair sum = pair::of(S(0.0), S(0.0));
-    for (int j = 0; j <= k; ++j) sum = sum + turned_[k - j] * pivot_[j];
+    for (int j = 0; j <= k; ++j) sum = sum + orders_[k - j].both * pivot_[j];
     return of.across * sum.second() + of.along * sum.first();
   }
 
@@ -269,10 +292,8 @@ class driven_pendulum_series : public one_bob_series<S> {
     return of.senses[0] * of.quadratic * of_square + of.cubic * of_cube;
   }
 
-  driven_pendulum_factors<S> factors_;
-  std::vector<pair> turned_;
-  std::vector<two> neighbours_;                       // of order k and the one after it
-  std::vector<typename two::velocities> velocities_;  // the same
+  factors factors_;
+  std::vector<kept> orders_;
   std::vector<S> square_, pivot_;
 };
 

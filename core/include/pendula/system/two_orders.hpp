@@ -17,6 +17,8 @@ struct two_orders {
   struct turns {
     turn first, second;
 
+    PENDULA_INLINE const turn& low() const { return first; }
+    PENDULA_INLINE const turn& high() const { return second; }
     PENDULA_INLINE friend turns operator*(const turns& f, const velocities& w) {
       return {f.first * w.first, f.second * w.second};
     }
@@ -51,6 +53,8 @@ struct two_orders<double> {
   struct turns {
     four both;
 
+    PENDULA_INLINE turn low() const { return halves(both)[0]; }
+    PENDULA_INLINE turn high() const { return halves(both)[1]; }
     PENDULA_INLINE friend turns operator*(turns f, velocities w) { return {f.both * w}; }
   };
   four both;
