@@ -16,7 +16,8 @@ namespace avx512 {
 extern const exact_kernel exact_loops;
 }  // namespace avx512
 static constexpr const exact_kernel* kernels[] = {until(machine::plain, plain::exact_loops),
-                                                  until(machine::avx2, avx2::exact_loops), &avx512::exact_loops};
+                                                  until(machine::avx2, avx2::exact_loops),
+                                                  from(machine::avx512, avx512::exact_loops)};
 #else
 static constexpr const exact_kernel* kernels[] = {&plain::exact_loops};
 #endif

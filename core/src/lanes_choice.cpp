@@ -22,9 +22,12 @@ extern const lanes_kernel adaptive_lanes, fixed_lanes;
 extern const variation_kernel variation_lanes;
 }  // namespace avx512
 static constexpr const variation_kernel* variation_kernels[] = {until(machine::plain, plain::variation_lanes),
-                                                                &avx2::variation_lanes, &avx512::variation_lanes};
-static constexpr const lanes_kernel* adaptive_kernels[] = {&avx2::adaptive_lanes, &avx512::adaptive_lanes};
-static constexpr const lanes_kernel* fixed_kernels[] = {until(machine::avx2, avx2::fixed_lanes), &avx512::fixed_lanes};
+                                                                &avx2::variation_lanes,
+                                                                from(machine::avx512, avx512::variation_lanes)};
+static constexpr const lanes_kernel* adaptive_kernels[] = {&avx2::adaptive_lanes,
+                                                           from(machine::avx512, avx512::adaptive_lanes)};
+static constexpr const lanes_kernel* fixed_kernels[] = {until(machine::avx2, avx2::fixed_lanes),
+                                                        from(machine::avx512, avx512::fixed_lanes)};
 static constexpr machine first = machine::avx2;
 #else
 namespace plain {

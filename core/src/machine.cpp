@@ -27,12 +27,12 @@ machine chosen_machine() {
     throw std::invalid_argument("this build of pendula is for processors with " + name_of(least_machine) +
                                 ", which this one lacks; build it here, or with PENDULA_LEAST_MACHINE=plain");
   const char* const asked = std::getenv("PENDULA_MACHINE");
-  if (asked == nullptr || *asked == 0) return best_machine();
+  if (asked == nullptr || *asked == 0) return std::min(best_machine(), most_machine);
   const auto found = std::find(std::begin(machine_names), std::end(machine_names), asked);
   if (found == std::end(machine_names))
     throw std::invalid_argument("PENDULA_MACHINE must be one of plain, avx2, avx512; got '" + std::string(asked) +
                                 "'; unset it for the best that this processor is");
-  const auto chosen = std::min(best_machine(), static_cast<machine>(found - std::begin(machine_names)));
+  const auto chosen = std::min({best_machine(), most_machine, static_cast<machine>(found - std::begin(machine_names))});
   if (chosen < least_machine)
     throw std::invalid_argument("PENDULA_MACHINE must be " + name_of(least_machine) +
                                 " or better in this build; got '" + std::string(asked) +
