@@ -148,10 +148,10 @@ def any_as_large(array: Array, bound: float) -> bool:
 
 def check_finite(name: str, array: Array, unit: str = "") -> None:
     """Name the first number that is infinite or NaN."""
-    import numpy as np
-
     if array.size <= _FEW and all(map(math.isfinite, array.ravel().tolist())):
         return
+    import numpy as np
+
     finite = np.isfinite(array)
     if not finite.all():
         bad = ~finite

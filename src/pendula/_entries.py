@@ -4,9 +4,12 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
+from types import MappingProxyType
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from collections.abc import Mapping
+
     from pendula._types import MethodName
 
 
@@ -85,6 +88,11 @@ class SystemEntry:
     def form_index(self, form: str) -> int:
         """Place of the form of that name."""
         return self._places[form]
+
+    @cached_property
+    def units(self) -> Mapping[str, str]:
+        """SI units of a state's components, by their names."""
+        return MappingProxyType({each.name: each.unit for each in self.components})
 
     @cached_property
     def _places(self) -> dict[str, int]:

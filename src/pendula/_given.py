@@ -61,14 +61,14 @@ def doubles(array: NDArray[Any]) -> Array:
     Raises:
         TypeError: for anything else than numbers.
     """
-    import numpy as np
-
     if array.dtype.kind == "O":
+        import numpy as np
+
         found = [_double(each) for each in array.ravel()]
         return np.array(found, dtype=np.float64).reshape(array.shape)
     if array.dtype.kind not in "iuf" and array.size:
         raise TypeError("no numbers")
-    return array.astype(np.float64, copy=False)
+    return array.astype(float, copy=False)
 
 
 def _double(value: Any) -> float:

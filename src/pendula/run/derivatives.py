@@ -134,7 +134,7 @@ def derivative_columns(
         names: what the states are derived by.
         derivatives: (..., d, k).
     """
-    units = system.component_units | {row.name: row.unit for row in system._rows()}
+    units = dict(system.component_units) | {row.name: row.unit for row in system._rows()}
     return {
         derivative_name(component, by): (
             _quotient(units[component], units[by]),

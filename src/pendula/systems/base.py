@@ -16,7 +16,7 @@ from pendula._tables import html_table
 from pendula.systems.energies import energies
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Mapping
 
     from numpy.typing import ArrayLike
 
@@ -70,9 +70,9 @@ class System:
         return tuple(each.name for each in _engine.system_entries()[self.name].components)
 
     @property
-    def component_units(self) -> dict[str, str]:
+    def component_units(self) -> Mapping[str, str]:
         """SI units of a state's components, by their names."""
-        return {each.name: each.unit for each in _engine.system_entries()[self.name].components}
+        return _engine.system_entries()[self.name].units
 
     @property
     def constants(self) -> dict[str, float]:
