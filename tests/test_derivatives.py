@@ -177,6 +177,28 @@ def test_derivatives_by_everything_are_those_of_differences(
         )
 
 
+@pytest.mark.parametrize("terminal", [0, 2])
+@pytest.mark.parametrize(("system", "start", "end"), REAL, ids=lambda x: getattr(x, "name", ""))
+def test_the_run_is_the_one_without_derivatives(
+    system: Any, start: Any, end: float, terminal: int
+) -> None:
+    t = np.linspace(0.0, end, 23)
+    asked = [events.velocity_zero(1, terminal=terminal), events.tip_height(-0.5)]
+    with_them = solve(system, start, t, events=asked, derivatives="all")
+    plain = solve(system, start, t, events=asked)
+    assert with_them.states.tobytes() == plain.states.tobytes()
+    assert with_them.t.tobytes() == plain.t.tobytes()
+    for name in ("outcome", "n_steps", "n_evaluations", "reached"):
+        assert getattr(with_them, name) == getattr(plain, name)
+    for found, told in zip(with_them.events, plain.events, strict=True):
+        assert found.times.tobytes() == told.times.tobytes()
+        assert found.states.tobytes() == told.states.tobytes()
+    between = np.linspace(0.0, plain.reached, 7)
+    assert with_them.at(between).tobytes() == plain.at(between).tobytes()
+    if hasattr(system, "coulomb"):
+        assert repr(with_them.pieces) == repr(plain.pieces)
+
+
 def test_events_times_and_states_change_too() -> None:
     system, start = DrivenPendulum.bob(coulomb=0.3), (1.2, 0.0)
     asked = [events.angle(1, 0.2), events.velocity_zero(1), events.tip_height(-0.9)]

@@ -154,6 +154,9 @@ void bind_derivatives(nb::module_& m) {
           },
           "dimension"_a, "columns"_a, "At the event, whose time changes too, (k, d, columns).");
   nb::class_<run_derivatives>(m, "RunDerivatives", "How a run changes with its start and with the parameters.")
+      .def_prop_ro(
+          "run", [](const run_derivatives& r) { return &r.run; }, nb::rv_policy::reference_internal,
+          "The run itself, but for its pieces and its dense output.")
       .def(
           "states",
           [](const run_derivatives& r, std::size_t d, std::size_t columns) {

@@ -42,13 +42,16 @@ class reporter {
  public:
   static constexpr std::size_t dimension = std::tuple_size_v<typename Run::state>;
 
-  reporter(std::span<const double> outputs, derivative_receiver& to) : outputs_(outputs), to_(to) {}
+  // `told`: the outputs are those of a run that was made; its last one can be an event's, between two bits of its time.
+  reporter(std::span<const double> outputs, bool told, derivative_receiver& to)
+      : outputs_(outputs), told_(told), to_(to) {}
 
   bool step(const Run& run, const number& stop) {
     const step_of<Run> here(run);
     for (; next_ < outputs_.size(); ++next_) {
       const number tau = run.since_step(outputs_[next_]);
-      if (!run.terminated() && tau.value * run.direction() > stop.value * run.direction()) break;
+      const bool of_event = told_ && run.terminated();
+      if (!of_event && tau.value * run.direction() > stop.value * run.direction()) break;
       to_.output(here, tau.value);
     }
     to_.step(here, stop.value);
@@ -59,10 +62,11 @@ class reporter {
     const auto [head, tail] = later(head_and_tail<number>{run.time().head[0], run.time().tail[0]}, tau);
     const auto y = run.stepper().state_of(run.stepper().after(tau));
     std::array<double, derived_at_once> of_time;
+    std::array<double, dimension> state;
     std::array<double, dimension * derived_at_once> of_state;
     tell(std::array{head + tail}, nullptr, of_time.data());
-    tell(y, nullptr, of_state.data());
-    to_.event(place, of_time.data(), of_state.data());
+    tell(y, state.data(), of_state.data());
+    to_.event(place, head.value, state.data(), of_time.data(), of_state.data());
   }
   void moved(Run& run) {
     const double* const matrix = to_.mixing();
@@ -81,6 +85,7 @@ class reporter {
  private:
   std::span<const double> outputs_;
   std::size_t next_ = 0;
+  bool told_;
   derivative_receiver& to_;
 };
 
@@ -107,9 +112,9 @@ run_end run_of(const request& asked, std::span<const double> outputs, first_chan
   taylor_stepper<Sys> stepper(Entry::template make<number>(asked.system.form, parameters.data()),
                               log2_of_tolerance(asked.options));
   stepper.start(number(asked.t0), start);
-  const auto found =
-      Run(stepper, asked.t0, asked.end(), asked.events)
-          .to_end(asked.step_limit(), reporter<Run>(outputs, to), [&](double t, std::int64_t) { return to.go_on(t); });
+  const auto found = Run(stepper, asked.t0, asked.end(), asked.events)
+                         .to_end(asked.step_limit(), reporter<Run>(outputs, asked.own_steps, to),
+                                 [&](double t, std::int64_t) { return to.go_on(t); });
   return {found.ended, found.steps, found.evaluations, found.reached};
 }
 

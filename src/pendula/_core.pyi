@@ -223,6 +223,10 @@ class CrossingDerivatives:
 class RunDerivatives:
     """How a run changes with its start and with the parameters."""
 
+    @property
+    def run(self) -> RunResult:
+        """The run itself, but for its pieces and its dense output."""
+
     def states(self, dimension: int, columns: int) -> NDArray[numpy.float64]:
         """At the outputs, (n, d, columns)."""
 

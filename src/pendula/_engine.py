@@ -167,6 +167,7 @@ solve = _core.solve
 balance = _core.balance
 derivatives = _core.derivatives
 RunResult = _core.RunResult
+RunDerivatives = _core.RunDerivatives
 Crossings = _core.Crossings
 Pieces = _core.Pieces
 DenseOutput = _core.DenseOutput

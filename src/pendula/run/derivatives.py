@@ -78,17 +78,23 @@ def check_method(method: str, digits: int | None) -> None:
         raise ArgumentError("derivatives", rule, 'take <method="taylor">, without digits')
 
 
-def with_derivatives(run: Trajectory, names: tuple[str, ...], progress: Progress) -> Trajectory:
-    """The run, with its derivatives by components of the start and parameters."""
-    system, d = run.system, run.request.state.size
+def derived_run(
+    system: System,
+    asked: _engine.Request,
+    outputs: Array,
+    names: tuple[str, ...],
+    progress: Progress,
+) -> _engine.RunDerivatives:
+    """The run and its derivatives by components of the start and parameters, at the outputs."""
     everything = names_derived_by(system.name, system.form)
-    found = _engine.derivatives(
-        run.request.for_core(system, run.method),
-        run.t,
-        [everything.index(name) for name in names],
-        progress,
-    )
-    columns = len(names)
+    return _engine.derivatives(asked, outputs, [everything.index(name) for name in names], progress)
+
+
+def with_derivatives(
+    run: Trajectory, names: tuple[str, ...], found: _engine.RunDerivatives
+) -> Trajectory:
+    """The run, with what was found of its derivatives."""
+    d, columns = run.request.state.size, len(names)
     return replace(
         run,
         derivatives=found.states(d, columns),

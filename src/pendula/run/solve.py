@@ -9,7 +9,12 @@ from pendula import _engine
 from pendula._angles import warn_of_degrees
 from pendula._checks import checked_progress
 from pendula._progress import part, with_bar
-from pendula.run.derivatives import check_method, checked_derivatives, with_derivatives
+from pendula.run.derivatives import (
+    check_method,
+    checked_derivatives,
+    derived_run,
+    with_derivatives,
+)
 from pendula.run.events import crossings_of
 from pendula.run.options import BEST_TOLERANCE, STANDARD_METHOD, takes_options
 from pendula.run.request import Request, checked_name, request_of
@@ -81,9 +86,27 @@ def solve(
     warn_of_stiffness([system], abs(asked.end - asked.t0))
     if asked.digits is not None:
         return _solve_digits(system, asked, report)
-    first = part(report, 0.0, 0.2) if derived_by else report
-    run = trajectory_of(system, name, asked, _engine.solve(for_core, first))
-    return with_derivatives(run, derived_by, part(report, 0.2, 1.0)) if derived_by else run
+    if derived_by:
+        return _solve_derived(system, asked, for_core, derived_by, report)
+    return trajectory_of(system, name, asked, _engine.solve(for_core, report))
+
+
+def _solve_derived(
+    system: System,
+    asked: Request,
+    for_core: _engine.Request,
+    names: tuple[str, ...],
+    progress: Progress,
+) -> Trajectory:
+    """The run with its derivatives: both at once, but where a plain run says what only it knows."""
+    if isinstance(asked.t, float) or asked.certify is not None:
+        result = _engine.solve(for_core, part(progress, 0.0, 0.2))
+        run = trajectory_of(system, "taylor", asked, result)
+        found = derived_run(system, for_core, run.t, names, part(progress, 0.2, 1.0))
+    else:
+        found = derived_run(system, for_core, asked.t, names, progress)
+        run = replace(trajectory_of(system, "taylor", asked, found.run), changes=None)
+    return with_derivatives(run, names, found)
 
 
 def trajectory_of(

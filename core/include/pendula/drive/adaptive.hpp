@@ -198,7 +198,7 @@ class adaptive_run {
   }
 
   // The time of a crossing as a number that follows start and parameters, where S does: by one step of Newton's method,
-  // whose value is none.
+  // which changes its value by nothing, and by no number where the quantity stands still.
   S with_changes(const step_view& view, const crossing& at) const {
     if constexpr (std::same_as<S, double>) {
       return at.tau;
@@ -211,7 +211,9 @@ class adaptive_run {
       const S quantity = what.kind == event_kind::angle           ? y[i]
                          : what.kind == event_kind::velocity_zero ? y[freedom + i]
                                                                   : system.positions(y).back()[1];
-      return S(at.tau) - (quantity - S(rough(quantity))) / S(trackers_[at.event].rate(view, at.tau));
+      S tau = S(at.tau) - (quantity - S(rough(quantity))) / S(trackers_[at.event].rate(view, at.tau));
+      tau.value = at.tau;
+      return tau;
     }
   }
 

@@ -29,7 +29,8 @@ struct derived_step {
 // Whom a derived run hands its results to.
 struct derivative_receiver {
   virtual void output(const derived_step&, double tau) = 0;
-  virtual void event(int, const double* /*of_time*/, const double* /*of_state*/) {}
+  // Its time and the state then, and the changes of both.
+  virtual void event(int, double, const double* /*state*/, const double* /*of_time*/, const double* /*of_state*/) {}
   // After the outputs and events of each step, which the run goes on from at `stop`.
   virtual void step(const derived_step&, double /*stop*/) {}
   // Asked before the next step: a matrix (derived_at_once, derived_at_once) that the changes of all numbers are then
@@ -45,7 +46,8 @@ struct derivative_receiver {
 using first_changes = std::span<const double>;
 
 struct derivative_kernel {
-  // The run of a request of the Taylor method, with outputs at times of their own, those after its start.
+  // The run of a request of the Taylor method, with outputs at times of their own, those after its start: where the
+  // request asks for steps of its own, at the times that a run before has told.
   run_end (*run)(const request&, std::span<const double> outputs, first_changes, derivative_receiver&);
 };
 const derivative_kernel& best_derivative_kernel();  // for this processor
@@ -55,12 +57,14 @@ struct crossing_derivatives {
 };
 
 struct run_derivatives {
-  std::vector<double> states;  // (n, d, columns)
+  run_result run;              // but for its pieces and its dense output
+  std::vector<double> states;  // of its outputs, (n, d, columns)
   std::vector<crossing_derivatives> events;
   bool interrupted = false;
 };
 
-// Of a run that was made, at its outputs and events, by each of the columns.
+// Of a run at outputs and events, by each of the columns: at the request's times or, where that asks for steps of its
+// own, at those that the run has told.
 run_derivatives derivatives_of(const request&, std::span<const double> outputs, std::span<const derived_by> columns,
                                const watcher&);
 
