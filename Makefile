@@ -43,7 +43,7 @@ help:
 .venv/modules: .venv/packages FORCE
 	@find src/pendula -name '*.py' | sort | cmp -s - $@ || find src/pendula -name '*.py' | sort >$@
 
-# For this computer; with the loops of lesser processors, too, for the tests and the benchmarks, and once they are there.
+# For this computer; with the loops of other processors, too, for the tests and the benchmarks, and once they are there.
 LEAST = $(if $(wildcard .venv/every-machine)$(filter %every-machine,$@),plain,here)
 .venv/installed .venv/every-machine: .venv/packages .venv/modules pyproject.toml $(COMPILED)
 	@PATH="$(BIN):$$PATH" CMAKE_BUILD_PARALLEL_LEVEL=$(CORES) \
