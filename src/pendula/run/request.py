@@ -41,10 +41,14 @@ class Request(Options):
         """The request as the core takes it."""
         import numpy as np
 
-        one_end = isinstance(self.t, float)
-        times = np.array([self.t]) if isinstance(self.t, float) else self.t
         return core_request(
-            system._description(), method, self.state, self.t0, times, self, own_steps=one_end
+            system._description(),
+            method,
+            self.state,
+            self.t0,
+            np.array([self.t]) if isinstance(self.t, float) else self.t,
+            self,
+            own_steps=isinstance(self.t, float),
         )
 
 

@@ -197,8 +197,8 @@ class adaptive_run {
     return terminated;
   }
 
-  // The time of a crossing as a number that follows start and parameters, where S does: by one step of Newton's method,
-  // which changes its value by nothing, and by no number where the quantity stands still.
+  // The time of a crossing as a number that follows start and parameters, where S does: its derivatives are those of
+  // one step of Newton's method. Its value stays, also where the quantity stands still and that step is no number.
   S with_changes(const step_view& view, const crossing& at) const {
     if constexpr (std::same_as<S, double>) {
       return at.tau;
