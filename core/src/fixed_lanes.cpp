@@ -1,5 +1,6 @@
 // Many trajectories through the lanes of the methods of fixed step.
 #include <array>
+#include <memory>
 #include <vector>
 
 #include "pendula/catalog.hpp"
@@ -24,9 +25,12 @@ struct group {
   std::size_t in_lane(int l) const { return trajectories[l < count ? l : 0]; }  // the last ones may be the first again
 };
 
-template <class Method, class Entry>
+template <class Sys>
+using drive_of = std::unique_ptr<fixed_drive<S, Sys::dimension>>;
+
+template <class Entry, class Make>
 void run_group(const group& some, const request& asked, const ensemble_rows& rows,
-               std::span<const fixed_output> outputs, ensemble_receiver& to) {
+               std::span<const fixed_output> outputs, ensemble_receiver& to, const Make& make) {
   using Sys = typename Entry::template over<S>;
   constexpr std::size_t d = Sys::dimension;
   std::vector<S> parameters(Entry::forms[asked.system.form].parameters.size());
@@ -36,7 +40,7 @@ void run_group(const group& some, const request& asked, const ensemble_rows& row
     for (std::size_t i = 0; i < parameters.size(); ++i) set_lane(parameters[i], l, rows.parameters_of(n)[i]);
     for (std::size_t i = 0; i < d; ++i) set_lane(start[i], l, rows.state_of(n)[i]);
   }
-  const Sys system = Entry::template make<S>(asked.system.form, parameters.data());
+  const drive_of<Sys> drive = make(Entry::template make<S>(asked.system.form, parameters.data()), start, asked);
   const auto sink = [&](std::size_t place, const auto& y) {
     for (int l = 0; l < some.count; ++l) {
       std::array<double, d> mine;
@@ -44,28 +48,34 @@ void run_group(const group& some, const request& asked, const ensemble_rows& row
       to.output(some.trajectories[l], place, mine.data());
     }
   };
-  const double step = asked.signed_step();
-  fixed_run<Method, Sys> drive(system, start, asked.t0, step, asked.step_limit());
-  const auto results = drive.through(outputs, sink, [&](std::int64_t) { return to.go_on(); });
+  const auto results = drive->through(outputs, sink, [&](std::int64_t) { return to.go_on(); });
   for (int l = 0; l < some.count; ++l) {
     const lane_result& found = results[l];
     const double last = found.outputs > 0 ? asked.times[found.outputs - 1] : asked.t0;
-    const double reached = time_reached(found.ended, found.grid_steps, asked.t0, step, last, asked.end());
+    const double reached =
+        time_reached(found.ended, found.grid_steps, asked.t0, asked.signed_step(), last, asked.end());
     to.finish(some.trajectories[l], {found.ended, found.steps, found.evaluations, reached});
   }
+}
+
+template <class Method, class Sys>
+drive_of<Sys> made(const Sys& system, const typename Sys::state& start, const request& asked) {
+  return std::make_unique<fixed_run<Method, Sys>>(system, start, asked.t0, asked.signed_step(), asked.step_limit());
 }
 
 bool run(const request& asked, const ensemble_rows& rows, ensemble_receiver& to) {
   const auto outputs = requested_times(asked.t0, asked.signed_step(), asked.times).outputs;
   bool built = false;
   with<systems_in_lanes>(asked.system.name, [&]<class Entry>() {
+    using Sys = typename Entry::template over<S>;
+    decltype(&made<euler, Sys>) make = nullptr;
     with<fixed_methods_in_lanes>(asked.method, [&]<class Method>() {
-      if constexpr (takes<Method, Entry>) {
-        built = true;
-        for (group some(to); some.count > 0 && to.go_on(); some = group(to))
-          run_group<Method, Entry>(some, asked, rows, outputs, to);
-      }
+      if constexpr (takes<Method, Entry>) make = made<Method, Sys>;
     });
+    built = make != nullptr;
+    if (!built) return;
+    for (group some(to); some.count > 0 && to.go_on(); some = group(to))
+      run_group<Entry>(some, asked, rows, outputs, to, make);
   });
   return built;
 }

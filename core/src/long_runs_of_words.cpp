@@ -5,6 +5,7 @@
 
 #include "pendula/catalog.hpp"
 #include "pendula/drive/adaptive.hpp"
+#include "pendula/kernels/long_arithmetic.hpp"
 #include "pendula/kernels/long_runs.hpp"
 #include "pendula/scalar/long_sincos.hpp"
 

@@ -183,8 +183,7 @@ class adaptive_run {
     for (event_tracker& each : trackers_) each.find(view, piece_ends ? std::min(1.0, end + 0x1p-46) : end, found_);
     for (crossing& each : found_)
       if (std::fabs(each.tau) > std::fabs(last)) each.tau = last;
-    std::stable_sort(found_.begin(), found_.end(),
-                     [this](const crossing& a, const crossing& b) { return a.tau * direction_ < b.tau * direction_; });
+    sort_as_met(found_, direction_);
     bool terminated = false;
     for (const crossing& each : found_) {
       if (terminated && !at_once(each.tau, rough(stop), stepper_.length())) break;

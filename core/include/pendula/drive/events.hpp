@@ -61,6 +61,12 @@ inline bool at_once(double tau, double other, double length) {
   return std::fabs(tau - other) <= detail::unsure * std::fabs(length);
 }
 
+// In the order in which a run in that direction meets them.
+inline void sort_as_met(std::vector<crossing>& found, double direction) {
+  std::stable_sort(found.begin(), found.end(),
+                   [direction](const crossing& a, const crossing& b) { return a.tau * direction < b.tau * direction; });
+}
+
 // One event of one run. Target n is the value and n turns (or the value alone, n = 0); the motion is in gap n between
 // targets n and n + 1 (or above, or in gap −1 below). The gap it was last in says whether a crossing next to the end
 // of a step has been reported already.
@@ -70,7 +76,7 @@ class event_tracker {
       : what_(what), place_(place), last_bits_of_time_(2.0 * detail::last_bit(t0)) {}
 
   // Whether all crossings of the step can be found; a motion too fast for that ends the run.
-  bool countable(const step_view& stepper) const {
+  [[gnu::noinline]] bool countable(const step_view& stepper) const {
     const auto few = [&](int angle, double most) {
       const polynomial p = stepper.angle_polynomial(angle);
       return p.reach(1.0) <= most * detail::turn_head &&
@@ -84,7 +90,7 @@ class event_tracker {
   }
 
   // Adds the crossings of a step that is worked out, up to the part `end` of its length, in their order.
-  void find(const step_view& stepper, double end, std::vector<crossing>& found) {
+  [[gnu::noinline]] void find(const step_view& stepper, double end, std::vector<crossing>& found) {
     const int parts = parts_of(stepper);
     for (int i = 0; i < parts && i < end * parts; ++i) {
       const piece part{static_cast<double>(i) / parts, 1.0 / parts};
@@ -95,7 +101,7 @@ class event_tracker {
   const event& what() const { return what_; }
 
   // How fast the quantity changes a time tau into the step.
-  double rate(const step_view& stepper, double tau) const {
+  [[gnu::noinline]] double rate(const step_view& stepper, double tau) const {
     const int parts = parts_of(stepper);
     const double x = tau / stepper.length();
     const double i = std::min(std::floor(x * parts), parts - 1.0);

@@ -195,8 +195,7 @@ class lanes_run {
   bool report_found(int l, S& stop) {
     one_lane& mine = lanes_[l];
     const view step{stepper_, mine.system, l};
-    std::stable_sort(found_[l].begin(), found_[l].end(),
-                     [this](const crossing& a, const crossing& b) { return a.tau * direction_ < b.tau * direction_; });
+    sort_as_met(found_[l], direction_);
     for (const crossing& each : found_[l]) {
       if (mine.terminated && !at_once(each.tau, lane(stop, l), step.length())) break;
       const double tau = mine.terminated ? lane(stop, l) : each.tau;

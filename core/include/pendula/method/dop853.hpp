@@ -23,7 +23,8 @@ class dop853_stepper {
   static constexpr double precision_inside = 0x1p-30;  // of the motion inside a step, in parts of its change
   static_assert(has_double_precision<S>, "the coefficients are known to as many digits as a double has");
 
-  dop853_stepper(const Sys& system, double log2_of_tolerance) : tolerance_(rough_exp2(log2_of_tolerance)) {
+  [[gnu::noinline]] dop853_stepper(const Sys& system, double log2_of_tolerance)
+      : tolerance_(rough_exp2(log2_of_tolerance)) {
     change(system);
   }
 

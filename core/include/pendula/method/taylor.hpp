@@ -43,7 +43,7 @@ class taylor_stepper {
   static constexpr bool waits_for_length = more_orders<Sys>() > 0 && has_double_precision<S>;
   static constexpr double precision_inside = 0x1p-50;  // of the motion inside a step, in parts of its change
 
-  taylor_stepper(const Sys& system, double log2_of_tolerance)
+  [[gnu::noinline]] taylor_stepper(const Sys& system, double log2_of_tolerance)
       : order_(taylor_order(log2_of_tolerance) + more_orders<Sys>()),
         series_(order_),
         inverse_(static_cast<std::size_t>(order_) + 2),
