@@ -1,9 +1,7 @@
-// Runs of the Taylor method with numbers of many words, built for some counts of words
-// (core/src/long_runs_of_words.cpp).
+// Runs of the Taylor method with numbers of many words, built for some counts of words.
 #pragma once
 
 #include <span>
-#include <vector>
 
 #include "pendula/kernels/result.hpp"
 
@@ -19,9 +17,7 @@ struct long_run_kernel {
   run_result (*run)(const request&, const watcher&);
 };
 
-// From few digits to many: those built in each of two parts, and all.
-std::span<const long_run_kernel> shorter_long_runs();
-std::span<const long_run_kernel> longer_long_runs();
-std::vector<long_run_kernel> long_runs();
+// From few digits to many.
+std::span<const long_run_kernel> long_runs();
 
 }  // namespace pendula
