@@ -27,11 +27,12 @@ struct group {
 
 template <class Sys>
 using drive_of = std::unique_ptr<fixed_drive<S, Sys::dimension>>;
+template <class Sys>
+using maker_of = drive_of<Sys> (*)(const Sys&, const typename Sys::state&, const request&);
 
-template <class Entry, class Make>
+template <class Entry, class Sys = typename Entry::template over<S>>
 void run_group(const group& some, const request& asked, const ensemble_rows& rows,
-               std::span<const fixed_output> outputs, ensemble_receiver& to, const Make& make) {
-  using Sys = typename Entry::template over<S>;
+               std::span<const fixed_output> outputs, ensemble_receiver& to, maker_of<Sys> make) {
   constexpr std::size_t d = Sys::dimension;
   std::vector<S> parameters(Entry::forms[asked.system.form].parameters.size());
   typename Sys::state start;
@@ -68,7 +69,7 @@ bool run(const request& asked, const ensemble_rows& rows, ensemble_receiver& to)
   bool built = false;
   with<systems_in_lanes>(asked.system.name, [&]<class Entry>() {
     using Sys = typename Entry::template over<S>;
-    decltype(&made<euler, Sys>) make = nullptr;
+    maker_of<Sys> make = nullptr;
     with<fixed_methods_in_lanes>(asked.method, [&]<class Method>() {
       if constexpr (takes<Method, Entry>) make = made<Method, Sys>;
     });
